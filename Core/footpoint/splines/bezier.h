@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/splines/curve.h"
+#include "footpoint/splines/surface.h"
+
+#include <vector>
+
+namespace footpoint
+{
+
+/// A polynomial or rational Bézier piece of a curve (N = 1) or surface (N = 2).
+///
+/// Columns of `control` are homogeneous control points (w·x, w·y, w·z, w), positions relative to the
+/// geometry's centre, first direction fastest, (degree[0] + 1)(·(degree[1] + 1)) of them.
+template <int N>
+struct BezierPiece
+{
+  std::array<int, N> degree;
+  Parameter<N> lower; ///< local parameters of the piece's corner …
+  Parameter<N> upper; ///< … and of the opposite one
+  Eigen::Matrix<double, 4, Eigen::Dynamic> control;
+};
+
+/// The pieces between all knot lines, first direction fastest. Exact up to rounding: knots are
+/// inserted to full multiplicity (W. Boehm 1980), which also clamps unclamped ends.
+std::vector<BezierPiece<1>> extract_bezier(const Curve& curve);
+std::vector<BezierPiece<2>> extract_bezier(const Surface& surface);
+
+/// Cuts a piece in two at the middle of a direction (de Casteljau 1959).
+template <int N>
+std::array<BezierPiece<N>, 2> halve(const BezierPiece<N>& piece, int direction);
+
+/// Corners of the bounding box of the control points; it holds the piece (convex-hull property).
+template <int N>
+std::array<Vector3, 2> bounding_box(const BezierPiece<N>& piece);
+
+} // namespace footpoint
