@@ -17,7 +17,8 @@
  * - a curve: the same with dimensions (n, 1, 1) and `KnotsU` alone;
  * - a vtkUnstructuredGrid of VTK_BEZIER_CURVE and VTK_BEZIER_QUADRILATERAL cells: patches on [0, 1]
  *   or on the range in the cell array `ParameterRange` (u0, u1[, v0, v1]); cells with the same
- *   value of the cell array `FaceId` are one face (without it all cells of a kind are separate);
+ *   value of the cell array `FaceId` are one face, whose number that value is (in models: plus the
+ *   numbers used up before); without it every cell is a face;
  * - a composite data set of those: a model whose faces are numbered from 0 in order; an empty
  *   block uses up its number. The field data `FaceName` and `Orientation` (−1: reversed) of a
  *   leaf belong to its face.
@@ -25,21 +26,22 @@
  * **Output port 0**: the input with the point arrays below, of the same type and structure.
  * An existing array of one of these names is replaced. Every block gets the same arrays.
  *
- * | array            | type      | meaning                                                          |
- * |------------------|-----------|------------------------------------------------------------------|
- * | `Parameters`     | double, 2 | (u, v) in the geometry's own domain, curves (u, 0); models of curves: 1 |
- * | `Distance`       | double    | abs(P − Q)                                                       |
- * | `SignedDistance` | double    | with the sign of (P − Q)·Normal, sign(0) = +1; NaN on curves     |
- * | `ClosestPoint`   | double, 3 | Q                                                                |
- * | `Normal`         | double, 3 | unit surface normal at Q (at poles its limit); NaN on curves     |
- * | `Tangent`        | double, 3 | unit tangent of a curve at Q; NaN on surfaces                    |
- * | `FaceId`         | vtkIdType | the face of Q                                                    |
- * | `Status`         | int       | see StatusEnum                                                   |
- * | `FootType`       | int       | see FootTypeEnum                                                 |
- * | `Isolated`       | int       | 0 where a continuum of points is equally near, else 1            |
- * | `Iterations`     | int       | of the local solver                                              |
+ * | array            | type      | meaning                                                     |
+ * |------------------|-----------|-------------------------------------------------------------|
+ * | `Parameters`     | double, 2 | (u, v) in the own domain, curves (u, 0); 1 in models of curves |
+ * | `Distance`       | double    | abs(P − Q)                                                  |
+ * | `SignedDistance` | double    | sign of (P − Q)·Normal, sign(0) = +1; NaN on curves         |
+ * | `ClosestPoint`   | double, 3 | Q                                                           |
+ * | `Normal`         | double, 3 | unit surface normal at Q (at poles its limit); NaN on curves |
+ * | `Tangent`        | double, 3 | unit tangent of a curve at Q; NaN on surfaces               |
+ * | `FaceId`         | vtkIdType | the face of Q                                               |
+ * | `Status`         | int       | see StatusEnum                                              |
+ * | `FootType`       | int       | see FootTypeEnum                                            |
+ * | `Isolated`       | int       | 0 where a continuum of points is equally near, else 1       |
+ * | `Iterations`     | int       | of the local solver                                         |
  *
- * `SignedDistance` and `Normal` exist where the geometry has surfaces, `Tangent` where it has curves.
+ * `SignedDistance` and `Normal` exist where the geometry has surfaces, `Tangent` where it has
+ * curves.
  * At Status 3 (BeyondMaximumDistance) and 4 (InvalidPoint) floating arrays hold NaN and integer
  * ones −1. `SignedDistance`, on models of curves alone `Distance`, becomes the active scalars.
  * The input's active normals stay what they are.
@@ -64,8 +66,9 @@
  * negative; NaN or missing values mean automatic starts. Otherwise results depend neither on the
  * order of points nor on the number of threads, bit for bit; see SetWarmStart().
  *
- * Bad geometry is reported with the array, the index and the value. A bad face of a model is left
- * out (its number stays in use) and the others go on; when nothing is left, the outputs are empty.
+ * Bad geometry is an error that names the array, the index and the value; the outputs are empty.
+ * Where a model has good faces besides, there is a warning instead, the bad face is left out (its
+ * number stays in use) and the others go on.
  *
  * @sa
  * vtkSplineEvaluator

@@ -8,7 +8,7 @@
  * **Input port 0**: a vtkDataSet with a point array, or a vtkTable with a column, of parameters in
  * the geometry's own domain: `Parameters`, 2 components (u, v) for surfaces, 1 or 2 for curves (the
  * second is not used). An optional integer array `FaceId` tells on which face; without it the
- * geometry must have exactly one face. The names can be changed, see SetParametersArrayName().
+ * geometry must have exactly one face. SetParametersArrayName() changes the names.
  *
  * **Input port 1** ("Source", SetSourceConnection() or SetSourceData()): the geometry, as in
  * vtkPointInversionFilter; optional because of SetParametricFunction().
@@ -26,8 +26,8 @@
  * `Normal` exists where the geometry has surfaces, `Tangent` where it has curves.
  *
  * Parameters outside the domain are wrapped in closed directions and clamped in open ones. Rows
- * with a NaN or infinite parameter, or a `FaceId` that is no face, make no output point, as no position
- * would be right; the field data `NumberOfSkippedPoints` says how many.
+ * with a NaN or infinite parameter, or a `FaceId` that is no face, make no output point, as no
+ * position would be right; the field data `NumberOfSkippedPoints` says how many.
  *
  * @sa
  * vtkPointInversionFilter
