@@ -3,6 +3,8 @@
 
 #include "footpoint/solvers/local_solver.h"
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace footpoint
@@ -33,7 +35,16 @@ public:
   LocalFoot<N> find(const Vector3& query, const SolverOptions& options,
     const Parameter<N>& start = Parameter<N>::Constant(NAN)) const;
 
+  /// A descent from one start, started again nearby where it stagnates.
+  LocalFoot<N> find_from(
+    const Vector3& query, const Parameter<N>& start, const SolverOptions& options) const;
+
 private:
+  Parameter<N> parameter(Eigen::Index sample) const;
+  bool is_local_minimum(Eigen::Index sample, const Eigen::VectorXd& distances) const;
+  /// The nearest of the 3 × 3 points around a parameter.
+  Parameter<N> refine(const Vector3& query, const Parameter<N>& around, double half_width) const;
+
   const ParametricGeometry<N>& Geometry;
   SeedOptions Options;
   std::array<std::vector<double>, N> Grid;
