@@ -22,8 +22,9 @@ struct BezierPiece
   Eigen::Matrix<double, 4, Eigen::Dynamic> control;
 };
 
-/// The pieces between all knot lines, first direction fastest. Exact up to rounding: knots are
-/// inserted to full multiplicity (W. Boehm 1980), which also clamps unclamped ends.
+/// The pieces between all knot lines, first direction fastest. Exact up to rounding: each
+/// control point is the blossom of its piece (L. Ramshaw 1989; the result of inserting all knots to
+/// full multiplicity, W. Boehm 1980), so unclamped ends and gaps need no special care.
 std::vector<BezierPiece<1>> extract_bezier(const Curve& curve);
 std::vector<BezierPiece<2>> extract_bezier(const Surface& surface);
 

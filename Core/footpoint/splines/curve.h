@@ -29,6 +29,7 @@ private:
   KnotVector Knots;
   Points ControlPoints;
   Eigen::VectorXd Weights;
+  Eigen::Matrix<double, 4, Eigen::Dynamic> Homogeneous; ///< (w·x, w·y, w·z, w), local
 };
 
 } // namespace footpoint

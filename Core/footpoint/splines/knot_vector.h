@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/errors.h"
 #include "footpoint/common/types.h"
 
 #include <string>
@@ -17,6 +18,7 @@ struct DistinctKnot
 {
   double at;        ///< local parameter, see KnotVector
   int multiplicity; ///< 1 … degree + 1; degree means C0, degree + 1 a gap
+  double parameter; ///< the same knot in the geometry's own domain
 };
 
 /// A validated knot vector with its degree: clamped, unclamped or periodic, any multiplicity up to
@@ -60,7 +62,8 @@ public:
   /// \param order  highest derivative wanted, 0 … 3
   /// \param values receives (order + 1) rows of degree + 1 numbers: row k, column j is the k-th
   ///               derivative of basis function span − degree + j. Derivatives above the degree are 0.
-  /// Cox–de Boor recurrence; L. Piegl and W. Tiller, The NURBS Book (1997), algorithm A2.3.
+  /// Cox–de Boor recurrence; L. Piegl and W. Tiller, The NURBS Book (1997), algorithm A2.3
+  /// (derivatives by repeated differences of lower degrees, equation 2.7). Allocates nothing.
   void basis(int span, double t, int order, double* values) const;
 
   /// Greville abscissa of a control point as local parameter: the mean of its inner knots.

@@ -38,9 +38,12 @@ struct Direction
   std::vector<Break> breaks;
   /// Local parameters of all knot lines, 0 and length included: the map is smooth between two.
   std::vector<double> spans;
+  /// The same knot lines in the geometry's own domain; may stay empty, origin + local stands in then.
+  std::vector<double> knots;
   /// The side at the start, at the end of this direction is one point in space (surfaces: a pole).
   std::array<bool, 2> collapsed{ { false, false } };
-  double speed = 1.0; ///< root mean square of |S_i| over the domain; tells a stalled from a slow one
+  double speed = 1.0; ///< root mean square of |S_i| over the domain; tells a stalled from a slow one.
+                      ///< 0 where the geometry is a single point
 };
 
 /// Two ends count as closed, a side as collapsed, when they agree to this fraction of the size:
@@ -73,17 +76,28 @@ public:
 
   Vector3 point(const Parameter<N>& t) const { return this->jet(t, Sides<N>::Constant(Side::Right), 0).point; }
   Parameter<N> to_local(const Parameter<N>& parameter) const;
+  /// The inverse; knot lines come back as the very numbers the geometry was given.
   Parameter<N> to_domain(const Parameter<N>& local) const;
 
 protected:
   /// Sets centre and size from points in space; returns the points relative to the centre.
   Points recentre(const Points& points);
   /// Finds closure, collapsed sides and speeds by evaluating; spans, breaks and lengths must stand.
-  void analyse();
+  /// \param samples per direction, how many points of a span are compared (2 or more)
+  void analyse(const std::array<int, N>& samples = several_samples());
 
   std::array<Direction, N> Directions;
   Vector3 Centre = Vector3::Zero();
   double Size = 0.0;
+
+private:
+  /// For maps of which no degree is known.
+  static std::array<int, N> several_samples()
+  {
+    std::array<int, N> samples;
+    samples.fill(9);
+    return samples;
+  }
 };
 
 using ParametricCurve = ParametricGeometry<1>;

@@ -30,6 +30,7 @@ private:
   std::array<KnotVector, 2> Knots;
   Points ControlPoints;
   Eigen::VectorXd Weights;
+  Eigen::Matrix<double, 4, Eigen::Dynamic> Homogeneous; ///< (w·x, w·y, w·z, w), local
 };
 
 } // namespace footpoint

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/model/point_inversion.h"
+
+#include <array>
+
+namespace footpoint
+{
+
+/// Statistics of the distances of many points, in model units. Points at status 3 and 4 have no
+/// distance: they count in `status_counts` alone.
+struct DeviationStatistics
+{
+  std::int64_t count = 0;
+  double minimum = NAN; ///< of the signed distance where there is one, else of the distance
+  double maximum = NAN;
+  double mean = NAN;
+  double rms = NAN;                ///< root of the mean square
+  double standard_deviation = NAN; ///< of the population (divided by count)
+  double percentile95 = NAN;       ///< of |distance|, nearest rank
+  std::array<std::int64_t, 6> status_counts{};
+  double out_of_tolerance_fraction = NAN; ///< part of `count` with |distance| above the tolerance
+};
+
+/// \param feet      all points that count
+/// \param tolerance limit of |distance| in model units; infinity: nothing is out of tolerance
+/// Sums are taken in a fixed order with compensation (Neumaier 1974).
+DeviationStatistics deviation_statistics(const std::vector<Foot>& feet,
+  double tolerance = std::numeric_limits<double>::infinity());
+
+} // namespace footpoint

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/splines/curve.h"
+#include "footpoint/splines/surface.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace footpoint
+{
+
+/// A part of a face: one curve or one surface (exactly one pointer is set).
+struct Patch
+{
+  std::shared_ptr<const ParametricCurve> curve;
+  std::shared_ptr<const ParametricSurface> surface;
+};
+
+/// One face of a model: a curve, a surface, or several patches that count as one (Bézier cells with
+/// the same FaceId); borders that its patches share are interior.
+struct Face
+{
+  std::string name;           ///< for messages; may be empty
+  std::vector<Patch> patches; ///< empty: a null block that uses up its number
+  bool reversed = false;      ///< the normal is −S_u × S_v
+};
+
+/// Faces in the order of their FaceId.
+using Model = std::vector<Face>;
+
+} // namespace footpoint

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/common/execution.h"
+#include "footpoint/model/model.h"
+#include "footpoint/search/seeded_search.h"
+
+#include <limits>
+
+namespace footpoint
+{
+
+/// How the starts of the local solver are found.
+enum class Search
+{
+  Global, ///< from every Bézier piece whose bounding box may hold a nearer point
+  Seeded, ///< from the best samples of a coarse grid on every face
+  Local   ///< from one start: the given one, else the best sample
+};
+
+/// Outcome for one point; numbers are those of the array Status.
+enum class Status
+{
+  Certified = 0,             ///< proved: no point of the geometry is closer (not yet given by any search)
+  Converged = 1,             ///< a local minimum of the distance
+  NotConverged = 2,          ///< the best point found
+  BeyondMaximumDistance = 3, ///< nothing found within the maximum distance
+  InvalidPoint = 4,          ///< a coordinate is NaN or infinite
+  NoOrthogonalFoot = 5       ///< the closest point is given, but r is orthogonal nowhere
+};
+
+struct InversionOptions
+{
+  Search search = Search::Global;
+  SolverOptions solver;
+  SeedOptions seeding;
+  /// Points farther than this get BeyondMaximumDistance (model units).
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  /// The nearest foot where r is orthogonal to the geometry, minimum or not.
+  bool orthogonal_only = false;
+  /// Every local minimum of the distance, nearest first, instead of the nearest.
+  bool all_feet = false;
+  /// Not zero: instead of the nearest point, where the line through P along this vector meets the
+  /// geometry, nearest first; `distance` is measured along the line.
+  Vector3 fixed_direction = Vector3::Zero();
+};
+
+/// Where to start from, for one point: in Seeded and Local search tried besides, instead of, the grid.
+struct Start
+{
+  int face = -1;                                         ///< −1: every face
+  Parameter<2> parameter = Parameter<2>::Constant(NAN);  ///< domain of the geometry; NaN: automatic
+};
+
+/// The foot of one point, in model coordinates.
+struct Foot
+{
+  Status status = Status::InvalidPoint;
+  FootType type = FootType::Interior; ///< meaningless at status 3 and 4, as are the numbers below
+  bool isolated = true;               ///< false: a continuum of feet is equally near
+  int iterations = 0;                 ///< of the local solver, for the foot that was kept
+  int face = -1;
+  bool on_curve = false;
+  Parameter<2> parameter = Parameter<2>::Constant(NAN); ///< geometry's own domain; curves: v = 0
+  Vector3 point = Vector3::Constant(NAN);
+  /// Surfaces: unit normal S_u × S_v (limit at poles, mean of both sides on kinks), reversed with the
+  /// face. Curves: unit tangent.
+  Vector3 direction = Vector3::Constant(NAN);
+  double distance = NAN;
+  /// Distance with the sign of (P − point)·normal, sign(0) = +1; NaN on curves.
+  double signed_distance = NAN;
+};
+
+/// A model prepared for queries: built once, then const and thread-safe.
+class PointInverter
+{
+public:
+  /// \param model      kept alive by shared pointers
+  /// \param options    as above
+  explicit PointInverter(Model model, const InversionOptions& options = {});
+  ~PointInverter();
+  PointInverter(PointInverter&&) noexcept;
+  PointInverter& operator=(PointInverter&&) noexcept;
+
+  const Model& model() const;
+  /// Diagonal of the bounding box of all control points.
+  double size() const;
+
+  /// The foot of one point.
+  Foot find(const Vector3& point, const Start& start = {}) const;
+
+  /// With all_feet or a fixed direction: all of them, nearest first; else the one foot.
+  /// Empty where `find` gives status 3 or 4.
+  std::vector<Foot> find_all(const Vector3& point, const Start& start = {}) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> Data;
+};
+
+/// Feet of many points, in their order.
+struct InversionResult
+{
+  std::vector<Foot> feet;
+  /// With all_feet or a fixed direction: every foot, and the point it belongs to; else empty.
+  std::vector<Foot> all_feet;
+  std::vector<std::int64_t> all_feet_point;
+  bool cancelled = false; ///< feet that were not reached have status NotConverged and NaN
+};
+
+/// Runs the queries in blocks. Every foot has the same bits whatever the threads, blocks and order.
+/// \param points one a column
+/// \param starts empty, or one for each point
+InversionResult invert(const PointInverter& inverter, const Points& points,
+  const std::vector<Start>& starts = {}, const Execution& execution = {});
+
+/// The same one point after the other, each started from the foot of the one before (points along a
+/// path). The only mode in which results depend on the order of points.
+InversionResult invert_sequence(
+  const PointInverter& inverter, const Points& points, const Execution& execution = {});
+
+} // namespace footpoint

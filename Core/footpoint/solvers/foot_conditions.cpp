@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/solvers/foot_conditions.h"
+
+#include <algorithm>
+
+namespace footpoint
+{
+
+template <int N>
+FootConditions<N>::FootConditions(
+  const ParametricGeometry<N>& geometry, const SolverOptions& options)
+  : Geometry(geometry)
+  , Options(options)
+  , Walk(geometry)
+{
+}
+
+template <int N>
+Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
+{
+  const typename DomainWalk<N>::Place place{ frame.t, frame.sides };
+  Eigen::Matrix<bool, N, 1> result;
+  for (int i = 0; i < N; ++i)
+  {
+    const bool held = (frame.gradient(i) > 0.0 && this->Walk.at_lower_border(place, i)) ||
+      (frame.gradient(i) < 0.0 && this->Walk.at_upper_border(place, i));
+    result(i) = !held;
+  }
+  return result;
+}
+
+template <int N>
+Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
+{
+  const Eigen::Matrix<bool, N, 1> free = this->free(frame);
+  Parameter<N> result;
+  for (int i = 0; i < N; ++i)
+  {
+    // Where S_i stands still its direction is rounding, and the mean speed has to judge.
+    const double slowest = kStalledSpeed * this->Geometry.direction(i).speed;
+    const double speed = std::max(frame.speed(i), slowest);
+    result(i) = free(i) && speed > 0.0 ? std::abs(frame.gradient(i)) / speed : 0.0;
+  }
+  return result;
+}
+
+template <int N>
+double FootConditions<N>::tolerance(const Frame<N>& frame) const
+{
+  return std::max(this->Options.cosine_tolerance * frame.distance,
+    this->Options.point_tolerance * this->Geometry.size());
+}
+
+template <int N>
+double FootConditions<N>::floor(const Frame<N>& frame) const
+{
+  return std::max(this->tolerance(frame), kResidualFloor * (this->Geometry.size() + frame.distance));
+}
+
+template <int N>
+bool FootConditions<N>::stalled(const Frame<N>& frame, int i) const
+{
+  return frame.speed(i) <= kStalledSpeed * this->Geometry.direction(i).speed;
+}
+
+template <int N>
+FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query) const
+{
+  const typename DomainWalk<N>::Place place{ frame.t, frame.sides };
+  int bounds = 0;
+  for (int i = 0; i < N; ++i)
+  {
+    if (this->Walk.on_collapsed_side(place, i) || this->stalled(frame, i))
+    {
+      return FootType::Degenerate;
+    }
+    bounds += this->Walk.on_boundary(place, i) ? 1 : 0;
+  }
+  if (bounds > 0)
+  {
+    return bounds == N ? FootType::Vertex : FootType::Edge;
+  }
+  auto orthogonal = [&](const Frame<N>& side)
+  {
+    for (int i = 0; i < N; ++i)
+    {
+      if (std::abs(side.gradient(i)) > this->floor(side) * side.speed(i))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  bool smooth = orthogonal(frame);
+  for (const auto& neighbour : this->Walk.neighbours(place))
+  {
+    smooth =
+      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides, 1));
+  }
+  return smooth ? FootType::Interior : FootType::Kink;
+}
+
+template class FootConditions<1>;
+template class FootConditions<2>;
+
+} // namespace footpoint

@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/solvers/local_solver.h"
+
+#include "footpoint/solvers/foot_conditions.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace footpoint
+{
+namespace
+{
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// A step has to win this part of what the gradient promises (L. Armijo 1966).
+constexpr double kSufficientDecrease = 1e-4;
+
+/// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
+constexpr int kBacktracks = 12;
+
+/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative says
+/// nothing, so that finite steps have to tell a minimum from a saddle.
+constexpr double kFlatEigenvalue = 1e-6;
+
+/// Starts again from another column of a collapsed side, at the most.
+constexpr int kPoleRestarts = 4;
+
+template <int N>
+class Descent
+{
+public:
+  Descent(const ParametricGeometry<N>& geometry, const Vector3& query, const SolverOptions& options,
+    const Step<N>& step)
+    : Geometry(geometry)
+    , Query(query)
+    , Options(options)
+    , Propose(step)
+    , Conditions(geometry, options)
+    , Order(options.safeguards ? derivative_order(options.method) : 3)
+  {
+  }
+
+  LocalFoot<N> run(const Parameter<N>& start)
+  {
+    this->Current = this->frame_at(this->Conditions.walk().enter(start));
+    this->Iterations = 1;
+    this->Lambda = this->Options.initial_lambda;
+    return this->Options.safeguards ? this->descend() : this->iterate();
+  }
+
+private:
+  using Walk = DomainWalk<N>;
+  using Place = typename Walk::Place;
+
+  /// What ends a search for a lower point: the frame found, or nothing.
+  using Candidate = std::optional<Frame<N>>;
+
+  Frame<N> frame_at(const Place& place) const
+  {
+    return make_frame<N>(this->Geometry, this->Query, place.t, place.sides, this->Order);
+  }
+
+  Place place() const { return { this->Current.t, this->Current.sides }; }
+
+  /// Rounding of E = ½|r|², from eight roundings of each coordinate.
+  double energy_noise() const
+  {
+    const double error =
+      8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
+    return error * (this->Current.distance + error);
+  }
+
+  bool lower(const Frame<N>& frame) const
+  {
+    return frame.energy() < this->Current.energy() - this->energy_noise();
+  }
+
+  StepSettings<N> settings(const Eigen::Matrix<bool, N, 1>& free) const
+  {
+    StepSettings<N> result;
+    result.free = free;
+    result.lambda = this->Lambda;
+    result.descend = this->Options.safeguards;
+    result.scale = Parameter<N>::Ones();
+    for (int i = 0; i < N && this->Options.column_scaling; ++i)
+    {
+      const double slowest = kStalledSpeed * this->Geometry.direction(i).speed;
+      const double speed = std::max(this->Current.speed(i), slowest);
+      result.scale(i) = speed > 0.0 ? 1.0 / speed : 1.0;
+    }
+    return result;
+  }
+
+  // === The guarded descent ===
+
+  LocalFoot<N> descend()
+  {
+    while (true)
+    {
+      if (this->Current.distance <= this->Options.point_tolerance * this->Geometry.size())
+      {
+        return this->finish(Termination::PointCoincidence);
+      }
+      const bool settled = this->Conditions.residuals(this->Current).maxCoeff() <=
+        this->Conditions.tolerance(this->Current);
+      Candidate next = settled ? this->leave() : this->step();
+      if (!next)
+      {
+        return this->settle_or_stagnate(settled);
+      }
+      if (this->Iterations >= this->Options.maximum_iterations)
+      {
+        return this->finish(Termination::IterationLimit);
+      }
+      this->Current = *next;
+      ++this->Iterations;
+    }
+  }
+
+  LocalFoot<N> settle_or_stagnate(bool settled)
+  {
+    if (settled)
+    {
+      return this->finish(Termination::ZeroCosine);
+    }
+    const bool small = this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
+    return this->finish(small ? Termination::SmallStep : Termination::Stagnation);
+  }
+
+  /// A lower point reached by the method's step or, where that is rejected, by its fall-backs.
+  Candidate step()
+  {
+    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
+    const bool damped = this->Options.method == Method::LevenbergMarquardt;
+    if (Candidate next = damped ? this->damped_step(settings) : this->shortened(this->limited(this->descending(this->Propose(this->Current, settings), settings))))
+    {
+      return next;
+    }
+    if (N == 2 && this->Options.isocurve_fallback)
+    {
+      if (Candidate next = this->isocurve_step(settings))
+      {
+        return next;
+      }
+    }
+    return this->shortened(this->limited(this->steepest(settings)));
+  }
+
+  /// −scale² g: steepest descent in scaled parameters.
+  Parameter<N> steepest(const StepSettings<N>& settings) const
+  {
+    Parameter<N> step = -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
+    for (int i = 0; i < N; ++i)
+    {
+      step(i) = settings.free(i) ? step(i) : 0.0;
+    }
+    return step;
+  }
+
+  /// A geometric step leads uphill beyond the centre of curvature: then it is turned round.
+  Parameter<N> descending(const Parameter<N>& step, const StepSettings<N>& settings) const
+  {
+    if (!step.allFinite())
+    {
+      return this->steepest(settings);
+    }
+    return step.dot(this->Current.gradient) > 0.0 ? Parameter<N>(-step) : step;
+  }
+
+  /// The step within the trust radius; near a pole, where the tangent plane degenerates and the
+  /// quadratic model with it, within a quarter of it.
+  Parameter<N> limited(const Parameter<N>& step) const
+  {
+    double radius = this->Options.trust_radius * this->Geometry.size();
+    if constexpr (N == 2)
+    {
+      const Vector3 normal = this->Current.jet.first.col(0).cross(this->Current.jet.first.col(1));
+      const bool degenerate = normal.norm() <=
+        kStalledSpeed * this->Geometry.direction(0).speed * this->Geometry.direction(1).speed;
+      radius *= degenerate ? 0.25 : 1.0;
+    }
+    const double length = (this->Current.jet.first * step).norm();
+    double factor = length > radius ? radius / length : 1.0;
+    for (int i = 0; i < N; ++i)
+    {
+      const double whole = this->Geometry.direction(i).length;
+      factor = std::min(factor, std::abs(step(i)) > whole ? whole / std::abs(step(i)) : 1.0);
+    }
+    return factor * step;
+  }
+
+  /// The better of the full step and, where it crosses a border of the piece, the border itself.
+  Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const
+  {
+    const auto move = this->Conditions.walk().move(this->place(), step);
+    Frame<N> frame = this->frame_at(move.place);
+    moved = move.moved;
+    if (move.crosses)
+    {
+      const auto stop = this->Conditions.walk().move_to_border(this->place(), step);
+      const Frame<N> border = this->frame_at(stop.place);
+      if (border.energy() < frame.energy())
+      {
+        frame = border;
+        moved = stop.moved;
+      }
+    }
+    return frame;
+  }
+
+  /// Enough decrease; or, where E is equal to rounding, a smaller residual.
+  bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const
+  {
+    const double promised = std::max(0.0, -this->Current.gradient.dot(moved));
+    const double won = this->Current.energy() - frame.energy();
+    const double noise = this->energy_noise();
+    if (won > noise)
+    {
+      return won >= kSufficientDecrease * promised;
+    }
+    return won >= -noise && this->Conditions.residuals(frame).maxCoeff() <
+      0.9 * this->Conditions.residuals(this->Current).maxCoeff();
+  }
+
+  Candidate shortened(Parameter<N> step)
+  {
+    for (int k = 0; k < kBacktracks; ++k)
+    {
+      this->LastStep = (this->Current.jet.first * step).norm();
+      Parameter<N> moved;
+      const Frame<N> frame = this->arrive(step, moved);
+      if (this->accepts(frame, moved))
+      {
+        return frame;
+      }
+      step *= 0.5;
+    }
+    return {};
+  }
+
+  /// Levenberg–Marquardt: λ × ¼ on success, × 4 on failure.
+  Candidate damped_step(StepSettings<N> settings)
+  {
+    for (int k = 0; k < kBacktracks; ++k)
+    {
+      settings.lambda = this->Lambda;
+      const Parameter<N> step = this->limited(this->Propose(this->Current, settings));
+      this->LastStep = (this->Current.jet.first * step).norm();
+      Parameter<N> moved;
+      const Frame<N> frame = this->arrive(step, moved);
+      const double predicted = -this->Current.gradient.dot(moved) -
+        0.5 * moved.dot(this->Current.metric() * moved);
+      const double actual = this->Current.energy() - frame.energy();
+      const bool good = actual > 0.25 * predicted;
+      const bool accepted = this->accepts(frame, moved);
+      this->Lambda = good ? std::max(0.25 * this->Lambda, this->Options.minimum_lambda)
+                          : std::min(4.0 * this->Lambda, this->Options.maximum_lambda);
+      if (accepted)
+      {
+        return frame;
+      }
+    }
+    return {};
+  }
+
+  /// One Newton step along u, then one along v.
+  Candidate isocurve_step(const StepSettings<N>& settings)
+  {
+    for (int i = 0; i < N; ++i)
+    {
+      StepSettings<N> single = settings;
+      for (int k = 0; k < N; ++k)
+      {
+        single.free(k) = settings.free(k) && k == i;
+      }
+      if (Candidate next = this->shortened(this->limited(
+            solve_scaled<N>(this->Current.hessian(), this->Current.gradient, single))))
+      {
+        return next;
+      }
+    }
+    return {};
+  }
+
+  // === A stationary point that is no minimum ===
+
+  /// A way on from a frame that meets the conditions on its own piece: over a border, out of a
+  /// saddle, or along a collapsed side.
+  Candidate leave()
+  {
+    if (Candidate next = this->cross_border())
+    {
+      return next;
+    }
+    if (Candidate next = this->turn_at_pole())
+    {
+      return next;
+    }
+    return this->escape_saddle();
+  }
+
+  /// The neighbouring piece in which the descent is steepest, if any.
+  Candidate cross_border() const
+  {
+    Candidate steepest;
+    double rate = 0.0;
+    for (const Place& neighbour : this->Conditions.walk().neighbours(this->place()))
+    {
+      const Frame<N> frame = this->frame_at(neighbour);
+      const double residual = this->Conditions.residuals(frame).maxCoeff();
+      const bool continues = std::abs(frame.energy() - this->Current.energy()) <= this->seam_noise();
+      if (this->lower(frame) && !continues)
+      {
+        return frame; // the near side of a gap
+      }
+      if (continues && residual > this->Conditions.floor(frame) && residual > rate && this->descends(frame))
+      {
+        rate = residual;
+        steepest = frame;
+      }
+    }
+    return steepest;
+  }
+
+  /// What E may differ by over a seam that closes to kClosureTolerance.
+  double seam_noise() const
+  {
+    return kClosureTolerance * this->Geometry.size() * this->Current.distance + this->energy_noise();
+  }
+
+  /// Whether a step into the piece of a frame that lies where the current one does leads down: a
+  /// residual alone may be the rounding of a seam, and would be handed to and fro.
+  bool descends(const Frame<N>& frame)  const
+  {
+    Descent ahead(this->Geometry, this->Query, this->Options, this->Propose);
+    ahead.Current = frame;
+    ahead.Lambda = this->Options.initial_lambda;
+    const Candidate next = ahead.step();
+    return next && this->lower(*next);
+  }
+
+  /// On a collapsed side the parameter along it is free: the column in which descent is steepest.
+  Candidate turn_at_pole()
+  {
+    if constexpr (N == 2)
+    {
+      for (int i = 0; i < N; ++i)
+      {
+        if (this->PoleRestarts >= kPoleRestarts ||
+          !this->Conditions.walk().on_collapsed_side(this->place(), i))
+        {
+          continue;
+        }
+        ++this->PoleRestarts;
+        if (Candidate column = this->steepest_column(i))
+        {
+          return column;
+        }
+      }
+    }
+    return {};
+  }
+
+  Candidate steepest_column(int across) const
+  {
+    const int along = 1 - across;
+    const std::vector<double>& spans = this->Geometry.direction(along).spans;
+    // Eight columns a span, and no fewer than 32 in all: a pole of revolution has four spans.
+    const int per_span = std::max<int>(8, 32 / static_cast<int>(spans.size() - 1));
+    Candidate best;
+    double rate = this->Conditions.floor(this->Current);
+    for (std::size_t k = 0; k + 1 < spans.size(); ++k)
+    {
+      for (int j = 0; j < per_span; ++j)
+      {
+        Place column = this->place();
+        column.t(along) = spans[k] + (spans[k + 1] - spans[k]) * j / per_span;
+        column.sides(along) = Side::Right;
+        const Frame<N> frame = this->frame_at(column);
+        const double residual = this->Conditions.residuals(frame)(across);
+        if (residual > rate)
+        {
+          rate = residual;
+          best = frame;
+        }
+      }
+    }
+    return best && this->descends(*best) ? best : Candidate{};
+  }
+
+  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
+  Candidate escape_saddle()
+  {
+    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
+    typename Frame<N>::Matrix scaled =
+      settings.scale.asDiagonal() * this->Current.hessian() * settings.scale.asDiagonal();
+    for (int i = 0; i < N; ++i)
+    {
+      if (!settings.free(i))
+      {
+        scaled.row(i).setZero();
+        scaled.col(i).setZero();
+        scaled(i, i) = 1.0;
+      }
+    }
+    Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix> eigen;
+    eigen.computeDirect(scaled);
+    for (int k = 0; k < N; ++k)
+    {
+      if (eigen.eigenvalues()(k) >= kFlatEigenvalue)
+      {
+        continue;
+      }
+      const Parameter<N> direction = settings.scale.cwiseProduct(eigen.eigenvectors().col(k));
+      if (Candidate next = this->probe(direction))
+      {
+        return next;
+      }
+    }
+    for (int i = 0; i < N; ++i)
+    {
+      if (settings.free(i) && this->Conditions.stalled(this->Current, i))
+      {
+        if (Candidate next = this->probe(Parameter<N>::Unit(i)))
+        {
+          return next;
+        }
+      }
+    }
+    return {};
+  }
+
+  /// The lower of the ends of ever shorter steps forth and back; equal ones: back.
+  Candidate probe(const Parameter<N>& direction) const
+  {
+    double reach = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < N; ++i)
+    {
+      const double component = std::abs(direction(i));
+      if (component > 0.0)
+      {
+        reach = std::min(reach, this->Geometry.direction(i).length / component);
+      }
+    }
+    for (double part = 0.1; part > 1e-7 && std::isfinite(reach); part *= 0.1)
+    {
+      Parameter<N> moved;
+      const Frame<N> back = this->arrive(-part * reach * direction, moved);
+      const Frame<N> forth = this->arrive(part * reach * direction, moved);
+      const Frame<N>& best = forth.energy() < back.energy() - this->energy_noise() ? forth : back;
+      if (this->lower(best))
+      {
+        return best;
+      }
+    }
+    return {};
+  }
+
+  // === The bare iteration of the literature ===
+
+  LocalFoot<N> iterate()
+  {
+    Frame<N> best = this->Current;
+    Termination termination = Termination::IterationLimit;
+    while (this->Iterations < this->Options.maximum_iterations)
+    {
+      if (this->Current.distance <= this->Options.point_tolerance * this->Geometry.size())
+      {
+        termination = Termination::PointCoincidence;
+        break;
+      }
+      if (this->Conditions.residuals(this->Current).maxCoeff() <= this->Options.cosine_tolerance * this->Current.distance)
+      {
+        termination = Termination::ZeroCosine;
+        break;
+      }
+      const StepSettings<N> settings = this->settings(Eigen::Matrix<bool, N, 1>::Constant(true));
+      const Parameter<N> step = this->Propose(this->Current, settings);
+      if (!step.allFinite())
+      {
+        termination = Termination::Stagnation;
+        break;
+      }
+      const auto move = this->Conditions.walk().move(this->place(), step);
+      const bool small = this->small(move.moved);
+      this->Current = this->frame_at(move.place);
+      ++this->Iterations;
+      best = this->Current.energy() <= best.energy() ? this->Current : best;
+      if (small)
+      {
+        termination = Termination::SmallStep;
+        break;
+      }
+    }
+    this->Current = best;
+    return this->finish(termination);
+  }
+
+  bool small(const Parameter<N>& moved) const
+  {
+    bool by_parameter = true;
+    for (int i = 0; i < N; ++i)
+    {
+      by_parameter = by_parameter &&
+        std::abs(moved(i)) < this->Options.parameter_tolerance * this->Geometry.direction(i).length;
+    }
+    return by_parameter ||
+      (this->Current.jet.first * moved).norm() <= this->Options.step_tolerance * this->Geometry.size();
+  }
+
+  // === The result ===
+
+  LocalFoot<N> finish(Termination termination) const
+  {
+    LocalFoot<N> foot;
+    foot.parameter = this->Current.t;
+    foot.sides = this->Current.sides;
+    foot.point = this->Current.jet.point;
+    foot.distance = this->Current.distance;
+    foot.residual = this->Conditions.residuals(this->Current).maxCoeff();
+    foot.iterations = this->Iterations;
+    foot.termination = termination;
+    const bool coincides = termination == Termination::PointCoincidence;
+    const bool can_end = termination != Termination::IterationLimit;
+    foot.converged =
+      coincides || (can_end && foot.residual <= this->Conditions.floor(this->Current));
+    foot.type = this->Conditions.classify(this->Current, this->Query);
+    // One point, two parameters: a seam is reported at the start of its direction.
+    for (int i = 0; i < N; ++i)
+    {
+      const Direction& direction = this->Geometry.direction(i);
+      if (direction.closed && foot.parameter(i) == direction.length)
+      {
+        foot.parameter(i) = 0.0;
+        foot.sides(i) = Side::Right;
+      }
+    }
+    return foot;
+  }
+
+  const ParametricGeometry<N>& Geometry;
+  const Vector3& Query;
+  const SolverOptions& Options;
+  const Step<N>& Propose;
+  FootConditions<N> Conditions;
+  int Order;
+  Frame<N> Current;
+  int Iterations = 0;
+  int PoleRestarts = 0;
+  double Lambda = 0.0;
+  double LastStep = 0.0;
+};
+
+} // namespace
+
+template <int N>
+LocalFoot<N> find_local_foot(const ParametricGeometry<N>& geometry, const Vector3& query,
+  const Parameter<N>& start, const SolverOptions& options, const Step<N>& step)
+{
+  return Descent<N>(geometry, query, options, step).run(start);
+}
+
+template <int N>
+LocalFoot<N> find_local_foot(const ParametricGeometry<N>& geometry, const Vector3& query,
+  const Parameter<N>& start, const SolverOptions& options)
+{
+  return find_local_foot<N>(geometry, query, start, options, make_step<N>(options.method));
+}
+
+template LocalFoot<1> find_local_foot<1>(const ParametricGeometry<1>&, const Vector3&,
+  const Parameter<1>&, const SolverOptions&, const Step<1>&);
+template LocalFoot<2> find_local_foot<2>(const ParametricGeometry<2>&, const Vector3&,
+  const Parameter<2>&, const SolverOptions&, const Step<2>&);
+template LocalFoot<1> find_local_foot<1>(
+  const ParametricGeometry<1>&, const Vector3&, const Parameter<1>&, const SolverOptions&);
+template LocalFoot<2> find_local_foot<2>(
+  const ParametricGeometry<2>&, const Vector3&, const Parameter<2>&, const SolverOptions&);
+
+} // namespace footpoint

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/solvers/step.h"
+
+#include "footpoint/solvers/curve_step.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace footpoint
+{
+namespace
+{
+
+/// Eigenvalues below this part of the largest are lifted to it: the step stays finite, and the trust
+/// radius shortens what is left of it.
+constexpr double kEigenvalueFloor = 1e-14;
+
+template <int N>
+using Matrix = typename Frame<N>::Matrix;
+
+/// r without its tangential part: the only part that the curvature of the geometry (not of its
+/// parametrization) acts on.
+template <int N>
+Vector3 normal_part(const Frame<N>& frame)
+{
+  if constexpr (N == 1)
+  {
+    const double square = frame.speed(0) * frame.speed(0);
+    return square > 0.0 ? Vector3(frame.r - frame.jet.first * (frame.gradient(0) / square)) : frame.r;
+  }
+  else
+  {
+    const Vector3 normal = frame.jet.first.col(0).cross(frame.jet.first.col(1));
+    const double square = normal.squaredNorm();
+    // Where S_u and S_v are parallel there is no normal and r itself serves.
+    const double limit = 1e-16 * frame.speed(0) * frame.speed(1);
+    return square > limit * limit ? Vector3(normal * (frame.r.dot(normal) / square)) : frame.r;
+  }
+}
+
+/// From geodesic coordinates to parameters: Δ − ½ Γ(Δ, Δ), where Γ is the tangential part of the
+/// second derivatives (Christoffel symbols).
+template <int N>
+Parameter<N> follow_geodesic(const Frame<N>& frame, const Parameter<N>& delta)
+{
+  Vector3 bend = frame.jet.second.col(0) * (delta(0) * delta(0));
+  if constexpr (N == 2)
+  {
+    bend += frame.jet.second.col(1) * (2.0 * delta(0) * delta(1)) +
+      frame.jet.second.col(2) * (delta(1) * delta(1));
+  }
+  const Parameter<N> correction =
+    0.5 * frame.metric().ldlt().solve(frame.jet.first.transpose() * bend);
+  // Beyond half of the step the expansion says nothing.
+  const bool small = (frame.jet.first * correction).norm() <= 0.5 * (frame.jet.first * delta).norm();
+  return small ? Parameter<N>(delta - correction) : delta;
+}
+
+} // namespace
+
+template <int N>
+Parameter<N> solve_scaled(
+  const Eigen::Matrix<double, N, N>& matrix, const Parameter<N>& gradient, const StepSettings<N>& settings)
+{
+  Matrix<N> scaled = settings.scale.asDiagonal() * matrix * settings.scale.asDiagonal();
+  Parameter<N> right = settings.scale.cwiseProduct(gradient);
+  for (int i = 0; i < N; ++i)
+  {
+    if (!settings.free(i))
+    {
+      scaled.row(i).setZero();
+      scaled.col(i).setZero();
+      right(i) = 0.0;
+    }
+  }
+  if (!scaled.allFinite() || !right.allFinite())
+  {
+    return Parameter<N>::Zero();
+  }
+  Eigen::SelfAdjointEigenSolver<Matrix<N>> eigen;
+  eigen.computeDirect(scaled);
+  const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  if (largest == 0.0)
+  {
+    return -settings.scale.cwiseProduct(right);
+  }
+  Parameter<N> values = eigen.eigenvalues().cwiseAbs().cwiseMax(kEigenvalueFloor * largest);
+  if (!settings.descend)
+  {
+    values = values.binaryExpr(eigen.eigenvalues(), [](double a, double b) { return std::copysign(a, b); });
+  }
+  const Parameter<N> delta =
+    -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * right).cwiseQuotient(values));
+  return settings.scale.cwiseProduct(delta);
+}
+
+template <int N>
+Step<N> make_step(Method method)
+{
+  switch (method)
+  {
+    case Method::Newton:
+      return [](const Frame<N>& frame, const StepSettings<N>& settings)
+      { return solve_scaled<N>(frame.hessian(), frame.gradient, settings); };
+    case Method::GaussNewton:
+      return [](const Frame<N>& frame, const StepSettings<N>& settings)
+      { return solve_scaled<N>(frame.metric(), frame.gradient, settings); };
+    case Method::LevenbergMarquardt:
+      return [](const Frame<N>& frame, const StepSettings<N>& settings)
+      {
+        const Parameter<N> damping = settings.lambda * settings.scale.cwiseProduct(settings.scale).cwiseInverse();
+        const Matrix<N> matrix = frame.metric() + Matrix<N>(damping.asDiagonal());
+        return solve_scaled<N>(matrix, frame.gradient, settings);
+      };
+    case Method::SecondOrder:
+      return [](const Frame<N>& frame, const StepSettings<N>& settings)
+      {
+        const Matrix<N> matrix = frame.metric() + frame.second_along(normal_part<N>(frame));
+        const Parameter<N> delta = solve_scaled<N>(matrix, frame.gradient, settings);
+        return settings.free.all() ? follow_geodesic<N>(frame, delta) : delta;
+      };
+    default:
+      if constexpr (N == 1)
+      {
+        return make_curve_step(method);
+      }
+      throw std::invalid_argument("FirstOrder, CurvatureCircle and SecondOrder1 to 3 are steps for "
+                                  "curves; surfaces have SecondOrder");
+  }
+}
+
+int derivative_order(Method method)
+{
+  return method == Method::SecondOrder3 ? 3 : 2;
+}
+
+template Parameter<1> solve_scaled<1>(
+  const Eigen::Matrix<double, 1, 1>&, const Parameter<1>&, const StepSettings<1>&);
+template Parameter<2> solve_scaled<2>(
+  const Eigen::Matrix<double, 2, 2>&, const Parameter<2>&, const StepSettings<2>&);
+template Step<1> make_step<1>(Method);
+template Step<2> make_step<2>(Method);
+
+} // namespace footpoint

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/splines/bezier.h"
+
+#include "footpoint/splines/de_boor.h"
+#include "footpoint/splines/validation.h"
+
+namespace footpoint
+{
+
+namespace
+{
+
+using Homogeneous = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+
+/// A piece of one direction: which control points act on it and how.
+struct Extraction
+{
+  double lower;
+  double upper;
+  int first;              ///< the first of the degree + 1 control points that act on the piece
+  Eigen::MatrixXd matrix; ///< Bézier point j = Σ_i control point (first + i) · matrix(i, j)
+};
+
+/// Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b (L.
+/// Ramshaw 1989). All its coefficients are sums of positive products; at high degree nothing cancels.
+Extraction extract(const KnotVector& knots, double a, double b)
+{
+  const int p = knots.degree();
+  const int span = knots.find_span(a, Side::Right);
+  Extraction piece{ a, b, span - p, Eigen::MatrixXd(p + 1, p + 1) };
+  for (int j = 0; j <= p; ++j)
+  {
+    double* column = piece.matrix.col(j).data();
+    column[0] = 1.0;
+    for (int degree = 1; degree <= p; ++degree)
+    {
+      raise_degree(knots.local_knots().data(), span, degree, degree <= j ? b : a, column);
+    }
+  }
+  return piece;
+}
+
+std::vector<Extraction> extract_all(const KnotVector& knots)
+{
+  std::vector<Extraction> pieces;
+  const std::vector<DistinctKnot>& distinct = knots.distinct_knots();
+  for (std::size_t i = 0; i + 1 < distinct.size(); ++i)
+  {
+    pieces.push_back(extract(knots, distinct[i].at, distinct[i + 1].at));
+  }
+  return pieces;
+}
+
+} // namespace
+
+std::vector<BezierPiece<1>> extract_bezier(const Curve& curve)
+{
+  const Homogeneous net = homogeneous(curve.local_control_points(), curve.weights());
+  const int p = curve.knots().degree();
+  std::vector<BezierPiece<1>> pieces;
+  for (const Extraction& u : extract_all(curve.knots()))
+  {
+    pieces.push_back({ { { p } }, Parameter<1>(u.lower), Parameter<1>(u.upper),
+      net.middleCols(u.first, p + 1) * u.matrix });
+  }
+  return pieces;
+}
+
+std::vector<BezierPiece<2>> extract_bezier(const Surface& surface)
+{
+  const Homogeneous net = homogeneous(surface.local_control_points(), surface.weights());
+  const int nu = surface.knots(0).number_of_control_points();
+  const int p = surface.knots(0).degree();
+  const int q = surface.knots(1).degree();
+  const std::vector<Extraction> all_u = extract_all(surface.knots(0));
+  std::vector<BezierPiece<2>> pieces;
+  Homogeneous rows(4, (p + 1) * (q + 1)); // the acting part of the net, Bézier along u
+  for (const Extraction& v : extract_all(surface.knots(1)))
+  {
+    for (const Extraction& u : all_u)
+    {
+      for (int j = 0; j <= q; ++j)
+      {
+        rows.middleCols(j * (p + 1), p + 1).noalias() =
+          net.middleCols((v.first + j) * nu + u.first, p + 1) * u.matrix;
+      }
+      // Column j of this view is row j of the piece: 4·(p + 1) numbers.
+      const Eigen::Map<const Eigen::MatrixXd> stacked(rows.data(), 4 * (p + 1), q + 1);
+      BezierPiece<2> piece{ { { p, q } }, { u.lower, v.lower }, { u.upper, v.upper },
+        Homogeneous(4, rows.cols()) };
+      Eigen::Map<Eigen::MatrixXd>(piece.control.data(), 4 * (p + 1), q + 1).noalias() =
+        stacked * v.matrix;
+      pieces.push_back(std::move(piece));
+    }
+  }
+  return pieces;
+}
+
+template <int N>
+std::array<BezierPiece<N>, 2> halve(const BezierPiece<N>& piece, int direction)
+{
+  const int degree = piece.degree[direction];
+  const int step = direction == 0 ? 1 : piece.degree[0] + 1;
+  const int lines = static_cast<int>(piece.control.cols()) / (degree + 1);
+  std::array<BezierPiece<N>, 2> halves{ { piece, piece } };
+  Homogeneous& left = halves[0].control;
+  Homogeneous& right = halves[1].control; // is overwritten from the front by de Casteljau's columns
+  for (int line = 0; line < lines; ++line)
+  {
+    const int start = direction == 0 ? line * (degree + 1) : line;
+    for (int level = 1; level <= degree; ++level)
+    {
+      for (int j = 0; j <= degree - level; ++j)
+      {
+        const int here = start + j * step;
+        right.col(here) = 0.5 * (right.col(here) + right.col(here + step));
+      }
+      left.col(start + level * step) = right.col(start);
+    }
+  }
+  const double middle =
+    piece.lower[direction] + 0.5 * (piece.upper[direction] - piece.lower[direction]);
+  halves[0].upper[direction] = middle;
+  halves[1].lower[direction] = middle;
+  return halves;
+}
+
+template <int N>
+std::array<Vector3, 2> bounding_box(const BezierPiece<N>& piece)
+{
+  std::array<Vector3, 2> box{ { piece.control.template block<3, 1>(0, 0) / piece.control(3, 0),
+    piece.control.template block<3, 1>(0, 0) / piece.control(3, 0) } };
+  for (Eigen::Index i = 1; i < piece.control.cols(); ++i)
+  {
+    const Vector3 point = piece.control.template block<3, 1>(0, i) / piece.control(3, i);
+    box[0] = box[0].cwiseMin(point);
+    box[1] = box[1].cwiseMax(point);
+  }
+  return box;
+}
+
+template std::array<BezierPiece<1>, 2> halve(const BezierPiece<1>&, int);
+template std::array<BezierPiece<2>, 2> halve(const BezierPiece<2>&, int);
+template std::array<Vector3, 2> bounding_box(const BezierPiece<1>&);
+template std::array<Vector3, 2> bounding_box(const BezierPiece<2>&);
+
+} // namespace footpoint
