@@ -1,0 +1,81 @@
+# Everything that needs VTK: the module Footpoint::Filters, its Python package and the ParaView plugin.
+
+# --- VTK: either flavour defines the VTK:: targets and the vtk_module_* functions. Always with
+# COMPONENTS: without, every optional third party is demanded. The first two lines hold every module
+# that Filters/vtk.module names.
+set(vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonComputationalGeometry ParallelCore
+  Python WrappingPythonCore)
+if (BUILD_TESTING)
+  list(APPEND vtk_components
+    FiltersCore FiltersGeneral FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage
+    IOXML RenderingFreeType RenderingOpenGL2 TestingCore TestingRendering)
+endif ()
+if (FOOTPOINT_USE_PARAVIEW)
+  # The hints are where Utilities/set_up.sh unpacks ParaView.
+  find_package(ParaView 5.11 REQUIRED
+    COMPONENTS RemotingCore RemotingServerManager WrapClientServer ProcessXML
+    HINTS "$ENV{FOOTPOINT_PARAVIEW_ROOT}/usr" "$ENV{XDG_CACHE_HOME}/footpoint/paraview-5.11/usr"
+          "$ENV{HOME}/.cache/footpoint/paraview-5.11/usr")
+  find_package(VTK REQUIRED
+    COMPONENTS ${vtk_components}
+    PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
+else ()
+  find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_components})
+endif ()
+message(STATUS "Footpoint: VTK ${VTK_VERSION} from ${VTK_DIR}, SMP ${VTK_SMP_BACKENDS}")
+
+# --- The VTK modules
+vtk_module_find_modules(module_files "${CMAKE_SOURCE_DIR}/Filters")
+vtk_module_scan(
+  MODULE_FILES     ${module_files}
+  REQUEST_MODULES  Footpoint::Filters
+  PROVIDES_MODULES footpoint_modules
+  REQUIRES_MODULES footpoint_required_modules
+  ENABLE_TESTS     OFF) # Testing/ is a folder of its own
+
+vtk_module_build(
+  MODULES             ${footpoint_modules}
+  PACKAGE             Footpoint
+  INSTALL_EXPORT      Footpoint
+  INSTALL_HEADERS     ON
+  HEADERS_DESTINATION "${footpoint_include_dir}"
+  CMAKE_DESTINATION   "${footpoint_cmake_dir}"
+  VERSION             "${PROJECT_VERSION}"
+  SOVERSION           1 # 0 counts as unset
+  TEST_DIRECTORY_NAME NONE
+  ENABLE_WRAPPING     ON)
+
+# --- Python package "footpoint": wrapped modules and our own Python files beside each other
+vtk_module_wrap_python(
+  MODULES             ${footpoint_modules}
+  TARGET              Footpoint::PythonWrapped
+  PYTHON_PACKAGE      "footpoint"
+  MODULE_DESTINATION  "${footpoint_python_dir}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  INSTALL_HEADERS     OFF # a header to load static modules, which these are not
+  INSTALL_EXPORT      Footpoint)
+add_subdirectory(Wrapping/Python)
+
+# --- ParaView plugin around the same modules
+if (FOOTPOINT_USE_PARAVIEW)
+  set(footpoint_plugin_subdir
+    "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
+  paraview_plugin_scan(
+    PLUGIN_FILES      "${CMAKE_SOURCE_DIR}/Wrapping/ParaView/Footpoint/paraview.plugin"
+    PROVIDES_PLUGINS  footpoint_plugins
+    REQUIRES_MODULES  plugin_required_modules
+    ENABLE_BY_DEFAULT ON)
+  paraview_plugin_build(
+    PLUGINS              ${footpoint_plugins}
+    TARGET               footpoint_paraview_plugins
+    INSTALL_HEADERS      OFF # as above
+    LIBRARY_SUBDIRECTORY "${footpoint_plugin_subdir}"
+    PLUGINS_FILE_NAME    "footpoint.plugins.xml"
+    AUTOLOAD             ${footpoint_plugins})
+endif ()
+
+# What FootpointConfig.cmake has to find: the VTK modules ours link to, also privately.
+list(FILTER footpoint_required_modules INCLUDE REGEX "^VTK::")
+list(TRANSFORM footpoint_required_modules REPLACE "^VTK::" "")
+list(JOIN footpoint_required_modules " " footpoint_vtk_components)
