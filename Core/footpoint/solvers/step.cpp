@@ -3,6 +3,7 @@
 
 #include "footpoint/solvers/curve_step.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <cmath>

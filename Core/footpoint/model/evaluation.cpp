@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/model/evaluation.h"
+
+#include "footpoint/solvers/foot_conditions.h"
+
+namespace footpoint
+{
+namespace
+{
+
+/// Sine of the angle between S_u and S_v below which their product is rounding.
+constexpr double kParallel = 1e-9;
+
+/// How far inside the domain the normal is taken where even its derivative vanishes.
+constexpr double kInside = 1e-4;
+
+/// S_u × S_v where it is more than rounding, else zero.
+Vector3 regular_normal(const ParametricSurface& surface, const Jet<2>& jet)
+{
+  const Vector3 u = jet.first.col(0);
+  const Vector3 v = jet.first.col(1);
+  const bool stalled = u.norm() <= kStalledSpeed * surface.direction(0).speed ||
+    v.norm() <= kStalledSpeed * surface.direction(1).speed;
+  const Vector3 normal = u.cross(v);
+  const bool parallel = normal.norm() <= kParallel * u.norm() * v.norm();
+  return stalled || parallel ? Vector3(Vector3::Zero()) : Vector3(normal.normalized());
+}
+
+/// Derivative of S_u × S_v along a parametric direction.
+Vector3 normal_derivative(const Jet<2>& jet, const Parameter<2>& along)
+{
+  const Vector3 u = jet.second.col(0) * along(0) + jet.second.col(1) * along(1);
+  const Vector3 v = jet.second.col(1) * along(0) + jet.second.col(2) * along(1);
+  return u.cross(jet.first.col(1)) + jet.first.col(0).cross(v);
+}
+
+/// The directions of the parameter plane that lead inside, the likeliest first.
+std::array<Parameter<2>, 3> inward(const ParametricSurface& surface, const Parameter<2>& t)
+{
+  std::array<Parameter<2>, 3> result;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double length = surface.direction(i).length;
+    result[i] = Parameter<2>::Unit(i) * (t(i) >= length ? -length : length);
+  }
+  // Across a collapsed side first: along it nothing changes.
+  if ((t(1) == 0.0 && surface.direction(1).collapsed[0]) ||
+    (t(1) == surface.direction(1).length && surface.direction(1).collapsed[1]))
+  {
+    std::swap(result[0], result[1]);
+  }
+  result[2] = result[0] + result[1];
+  return result;
+}
+
+template <int N>
+const ParametricGeometry<N>& geometry_of(const Patch& patch)
+{
+  if constexpr (N == 1)
+  {
+    return *patch.curve;
+  }
+  else
+  {
+    return *patch.surface;
+  }
+}
+
+/// Whether a parameter lies in the domain of a patch.
+template <int N>
+bool holds(const ParametricGeometry<N>& geometry, const Parameter<2>& parameter)
+{
+  for (int i = 0; i < N; ++i)
+  {
+    const Direction& direction = geometry.direction(i);
+    const double local = parameter(i) - direction.origin;
+    if (local < 0.0 || local > direction.length)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <int N>
+Evaluation evaluate_patch(const Patch& patch, const Parameter<2>& parameter, bool reversed)
+{
+  const ParametricGeometry<N>& geometry = geometry_of<N>(patch);
+  const Parameter<N> local = geometry.to_local(parameter.head<N>());
+  Evaluation result;
+  for (int i = 0; i < N; ++i)
+  {
+    const Direction& direction = geometry.direction(i);
+    result.clamped =
+      result.clamped || (!direction.closed && (local(i) < 0.0 || local(i) > direction.length));
+  }
+  const auto place = DomainWalk<N>(geometry).enter(local);
+  result.point = geometry.centre() + geometry.jet(place.t, place.sides, 0).point;
+  if constexpr (N == 1)
+  {
+    result.on_curve = true;
+    result.direction = unit_tangent(geometry, place.t, place.sides);
+  }
+  else
+  {
+    result.direction = mean_normal(geometry, place.t, place.sides) * (reversed ? -1.0 : 1.0);
+  }
+  return result;
+}
+
+} // namespace
+
+Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const Sides<1>& sides)
+{
+  const Jet<1> jet = curve.jet(t, sides, 3);
+  const Direction& direction = curve.direction(0);
+  if (jet.first.norm() > kStalledSpeed * direction.speed)
+  {
+    return jet.first.normalized();
+  }
+  // C(t + h) − C(t) = h² C''/2 + h³ C'''/6: with rising t an odd term keeps its sign, the even one points
+  // away from the cusp on both sides and the right one is taken.
+  const double scale = direction.speed / direction.length;
+  const bool second = jet.second.norm() > kStalledSpeed * scale;
+  const Vector3 leaving = second ? Vector3(jet.second) : Vector3(jet.third);
+  const double sign = second && sides(0) == Side::Left ? -1.0 : 1.0;
+  return leaving.norm() > 0.0 ? Vector3(sign * leaving.normalized()) : Vector3(Vector3::Zero());
+}
+
+Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides)
+{
+  const Jet<2> jet = surface.jet(t, sides, 2);
+  const Vector3 normal = regular_normal(surface, jet);
+  if (!normal.isZero())
+  {
+    return normal;
+  }
+  const double area = surface.direction(0).speed * surface.direction(1).speed;
+  for (const Parameter<2>& along : inward(surface, t))
+  {
+    const Vector3 derivative = normal_derivative(jet, along);
+    if (derivative.norm() > kStalledSpeed * area)
+    {
+      return derivative.normalized();
+    }
+  }
+  for (const Parameter<2>& along : inward(surface, t))
+  {
+    const Vector3 nearby = regular_normal(surface, surface.jet(t + kInside * along, sides, 1));
+    if (!nearby.isZero())
+    {
+      return nearby;
+    }
+  }
+  return Vector3::Zero();
+}
+
+Vector3 mean_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides)
+{
+  const DomainWalk<2> walk(surface);
+  const DomainWalk<2>::Place place{ t, sides };
+  Vector3 sum = unit_normal(surface, t, sides);
+  const std::vector<DomainWalk<2>::Place> neighbours = walk.neighbours(place);
+  if (neighbours.empty())
+  {
+    return sum;
+  }
+  const Vector3 point = surface.jet(t, sides, 0).point;
+  for (const DomainWalk<2>::Place& neighbour : neighbours)
+  {
+    // At a gap the other side is another point, with a normal of its own.
+    const Vector3 other = surface.jet(neighbour.t, neighbour.sides, 0).point;
+    if ((other - point).norm() <= kClosureTolerance * surface.size())
+    {
+      sum += unit_normal(surface, neighbour.t, neighbour.sides);
+    }
+  }
+  const double length = sum.norm();
+  return length > kParallel ? Vector3(sum / length) : unit_normal(surface, t, sides);
+}
+
+Evaluation evaluate(const Face& face, const Parameter<2>& parameter)
+{
+  const Patch* patch = &face.patches.front();
+  for (const Patch& candidate : face.patches)
+  {
+    if (candidate.curve ? holds<1>(*candidate.curve, parameter)
+                        : holds<2>(*candidate.surface, parameter))
+    {
+      patch = &candidate;
+      break;
+    }
+  }
+  return patch->curve ? evaluate_patch<1>(*patch, parameter, face.reversed)
+                      : evaluate_patch<2>(*patch, parameter, face.reversed);
+}
+
+} // namespace footpoint
