@@ -15,7 +15,7 @@ namespace footpoint::conversion
 namespace
 {
 
-/// Samples per direction from which size and centre are found.
+/// Samples per direction from which size, centre, closure and collapsed sides are found.
 constexpr int kSizeSamples = 33;
 
 /// Spacing of the five points of a difference formula as a fraction of the domain: the truncation of
@@ -131,7 +131,9 @@ ParametricFunctionGeometry<N>::ParametricFunctionGeometry(vtkParametricFunction*
     }
   }
   this->recentre(samples);
-  this->analyse();
+  std::array<int, N> across;
+  across.fill(kSizeSamples);
+  this->analyse(across);
 }
 
 template <int N>
