@@ -151,6 +151,40 @@ TEST(Closure, RationalSidesThatMeetOnlyAtSomePlacesAreOpen)
   expect_closed(Surface(three, line, net, weights), false, false);
 }
 
+TEST(Closure, SidesOfHighDegreeThatMeetAtManyPlacesAreOpen)
+{
+  // Polynomial sides that differ by a multiple of Π (v − place_k), at the Chebyshev–Lobatto points of
+  // every number that is too small for the degree.
+  for (int degree = 2; degree <= 12; ++degree)
+  {
+    std::vector<double> difference{ 1.0 }; // Bernstein ordinates
+    for (int k = 0; k < degree; ++k)
+    {
+      const double place = 0.5 - 0.5 * std::cos(std::acos(-1.0) * k / (degree - 1));
+      std::vector<double> product(k + 2);
+      for (int i = 0; i <= k + 1; ++i)
+      {
+        const double low = i <= k ? -place * (k + 1 - i) * difference[i] : 0.0;
+        const double high = i > 0 ? (1.0 - place) * i * difference[i - 1] : 0.0;
+        product[i] = (low + high) / (k + 1);
+      }
+      difference = product;
+    }
+    const double largest =
+      Eigen::Map<const Eigen::VectorXd>(difference.data(), degree + 1).cwiseAbs().maxCoeff();
+    Points net(3, 3 * (degree + 1));
+    for (int j = 0; j <= degree; ++j)
+    {
+      net.col(3 * j + 0) = Vector3(0, j, 0);
+      net.col(3 * j + 1) = Vector3(1, j, 0);
+      net.col(3 * j + 2) = Vector3(difference[j] / largest, j, 0);
+    }
+    const Surface surface(KnotVector(1, { 0, 0, 1, 2, 2 }),
+      KnotVector(degree, shapes::clamped_knots(degree, 1)), net);
+    expect_closed(surface, false, false);
+  }
+}
+
 TEST(Closure, CollapsedSides)
 {
   expect_collapsed(shapes::sphere(), 1, true, true);

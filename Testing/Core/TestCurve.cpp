@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -320,9 +321,10 @@ TEST(Curve, FarAwayNothingIsLostBeyondTheInput)
 TEST(Curve, CentreLiesNearTheMiddleOfTheBox)
 {
   shapes::Random random(16);
-  for (const double scale : { 1e-150, 1e-3, 1.0, 1e5, 1e150 })
+  for (const double scale : { 1e-170, 1e-3, 1.0, 1e5, 1e170 })
   {
     auto arrays = shapes::random_arrays<1>(random, { 3 }, 6, true, 0.0);
+    arrays.points.colwise() += random.vector(-10.0, 10.0);
     arrays.points *= scale;
     const Curve curve = arrays.geometry();
     const Points& net = arrays.points;
@@ -332,6 +334,14 @@ TEST(Curve, CentreLiesNearTheMiddleOfTheBox)
     EXPECT_GT(curve.direction(0).speed, 0.1 * curve.size());
     EXPECT_LT(curve.direction(0).speed, 10.0 * curve.size());
   }
+}
+
+TEST(Curve, NearTheOriginControlPointsStayAsTheyAre)
+{
+  const Points net = shapes::points({ { -1, -0.3, 0.1 }, { 1e-17, 0.4, 1e-20 }, { 1.1, 0.1, -0.3 } });
+  const Curve curve = shapes::polynomial_curve(2, { 0, 0, 0, 1, 1, 1 }, net);
+  EXPECT_EQ(curve.centre(), Vector3(0, 0, 0));
+  EXPECT_EQ(curve.local_control_points(), net);
 }
 
 TEST(Curve, OfOnePointEvaluates)
@@ -344,36 +354,43 @@ TEST(Curve, OfOnePointEvaluates)
   EXPECT_EQ(jet(curve, 0.3).third, Vector3(0, 0, 0));
 }
 
-TEST(Curve, ParametersReturnUnchanged)
+TEST(Curve, KnotsReturnUnchangedFromLocalParameters)
 {
-  std::vector<double> knots{ 0.1, 0.1, 0.1 };
-  for (int i = 1; i < 40; ++i)
+  shapes::Random random(17);
+  int roundings = 0;
+  for (int i = 0; i < 200; ++i)
   {
-    knots.insert(knots.end(), i % 3 == 0 ? 3 : 1, 0.1 + i * 0.3);
-  }
-  knots.insert(knots.end(), 3, 12.7);
-  const Curve curve = shapes::polynomial_curve(
-    2, knots, Points::Random(3, static_cast<Eigen::Index>(knots.size()) - 3));
-  for (const double knot : knots)
-  {
-    EXPECT_EQ(curve.to_domain(curve.to_local(Parameter<1>(knot)))[0], knot);
-  }
-  // From beside a knot rounding never leads across it.
-  for (const double knot : curve.direction(0).spans)
-  {
-    for (const double t : { std::nextafter(knot, -1.0), std::nextafter(knot, 99.0) })
+    std::vector<double> knots;
+    for (int k = 0; k < 6; ++k)
     {
-      if (t > 0.0 && t < curve.direction(0).length)
-      {
-        const double own = curve.to_domain(Parameter<1>(t))[0];
-        const double at = curve.to_domain(Parameter<1>(knot))[0];
-        EXPECT_TRUE(t < knot ? own <= at : own >= at);
-      }
+      knots.push_back(random.uniform(-1.0, 1.0) * random.magnitude(2.0));
+    }
+    std::sort(knots.begin(), knots.end());
+    const Curve curve = shapes::polynomial_curve(1, knots, Points::Random(3, 4));
+    for (int k = 1; k < 5; ++k)
+    {
+      const double local = curve.to_local(Parameter<1>(knots[k]))[0];
+      EXPECT_EQ(local, curve.direction(0).spans[k - 1]);
+      EXPECT_EQ(curve.to_domain(Parameter<1>(local))[0], knots[k]);
+      roundings += local + knots[1] != knots[k];
+      // From beside a knot rounding never leads across it.
+      const double before = curve.to_domain(Parameter<1>(std::nextafter(local, -1e9)))[0];
+      const double after = curve.to_domain(Parameter<1>(std::nextafter(local, 1e9)))[0];
+      EXPECT_LE(k == 1 ? -100.0 : before, knots[k]);
+      EXPECT_GE(k == 4 ? 100.0 : after, knots[k]);
     }
   }
-  // Outside nothing is clamped.
-  EXPECT_EQ(curve.to_domain(Parameter<1>(100.0))[0], 100.1);
-  EXPECT_EQ(curve.to_local(Parameter<1>(-3.0))[0], -3.1);
+  EXPECT_GT(roundings, 20); // else the above says nothing
+}
+
+TEST(Curve, ParametersOutsideTheDomainAreNotClamped)
+{
+  const Curve curve =
+    shapes::polynomial_curve(1, { 0.5, 0.5, 2, 2 }, shapes::points({ { 0, 0, 0 }, { 1, 0, 0 } }));
+  EXPECT_EQ(curve.to_domain(Parameter<1>(100.0))[0], 100.5);
+  EXPECT_EQ(curve.to_domain(Parameter<1>(-1.0))[0], -0.5);
+  EXPECT_EQ(curve.to_local(Parameter<1>(-3.0))[0], -3.5);
+  EXPECT_EQ(curve.to_local(Parameter<1>(7.0))[0], 6.5);
 }
 
 TEST(Curve, SpeedIsTheMeanOfTheDerivative)
@@ -383,4 +400,16 @@ TEST(Curve, SpeedIsTheMeanOfTheDerivative)
   EXPECT_NEAR(line.direction(0).speed, 2.0, 1e-15);
   // ∫ 1 + 4x² over [−1, 1], halved: 1 + 4/3
   EXPECT_NEAR(shapes::parabola().direction(0).speed, std::sqrt(7.0 / 3.0), 1e-14);
+  // Spans count by their length: speed 1 over a length of 3, speed 7 over 1.
+  const Curve uneven = shapes::polynomial_curve(
+    1, { 0, 0, 3, 4, 4 }, shapes::points({ { 0, 0, 0 }, { 3, 0, 0 }, { 10, 0, 0 } }));
+  EXPECT_NEAR(uneven.direction(0).speed, std::sqrt((3.0 + 49.0) / 4.0), 1e-14);
+  // Of many spans a selection stands for all: (t², 0) on [0, 1] has the mean of 4t², 4/3.
+  Points many(3, 101);
+  for (int i = 0; i <= 100; ++i)
+  {
+    many.col(i) = Vector3(i * i / 1e4, 0, 0);
+  }
+  const Curve growing = shapes::polynomial_curve(1, shapes::clamped_knots(1, 100), many);
+  EXPECT_NEAR(growing.direction(0).speed, std::sqrt(4.0 / 3.0), 0.05);
 }

@@ -174,16 +174,17 @@ TEST(KnotVector, BasisSumsToOneAndDerivativesToZero)
 TEST(KnotVector, BasisOfBezierKnotsIsBernsteins)
 {
   const int degree = 20;
-  const KnotVector knots(degree, shapes::clamped_knots(degree, 1));
-  for (const double t : { 0.0, 1e-9, 0.1, 0.5, 0.875, 1.0 - 0x1p-40, 1.0 })
+  const KnotVector knots(degree, shapes::clamped_knots(degree, 1, 0.0, 3.0));
+  for (const double t : { 0.0, 1e-9, 0.1, 1.5, 2.875, 3.0 - 0x1p-39, 3.0 })
   {
+    const long double x = t / 3.0L;
+    const long double y = (3.0L - t) / 3.0L;
     double values[21];
     knots.basis(degree, t, 0, values);
     long double binomial = 1.0L;
     for (int i = 0; i <= degree; ++i)
     {
-      const long double exact = binomial * std::pow(static_cast<long double>(t), i) *
-        std::pow(1.0L - static_cast<long double>(t), degree - i);
+      const long double exact = binomial * std::pow(x, i) * std::pow(y, degree - i);
       // Relative accuracy of each value: needed where weights differ by many decades.
       EXPECT_NEAR(values[i], static_cast<double>(exact), 2e-15 * static_cast<double>(exact)) << i;
       binomial = binomial * (degree - i) / (i + 1);
@@ -195,14 +196,17 @@ TEST(KnotVector, ClampedEndsInterpolateExactly)
 {
   for (int degree = 1; degree <= 30; ++degree)
   {
-    const KnotVector knots(degree, shapes::clamped_knots(degree, 49, 0.0, 0.7));
-    double values[31];
-    knots.basis(knots.find_span(0.0, Side::Right), 0.0, 0, values);
-    EXPECT_EQ(values[0], 1.0);
-    EXPECT_EQ(values[1], 0.0);
-    knots.basis(knots.find_span(knots.length(), Side::Left), knots.length(), 0, values);
-    EXPECT_EQ(values[degree], 1.0);
-    EXPECT_EQ(values[degree - 1], 0.0);
+    for (int length = 1; length <= 50; ++length) // 49 · (1 / 49) is not 1
+    {
+      const KnotVector knots(degree, shapes::clamped_knots(degree, 1, 0.0, length));
+      double values[31];
+      knots.basis(knots.find_span(0.0, Side::Right), 0.0, 0, values);
+      EXPECT_EQ(values[0], 1.0);
+      EXPECT_EQ(values[1], 0.0);
+      knots.basis(knots.find_span(length, Side::Left), length, 0, values);
+      EXPECT_EQ(values[degree], 1.0);
+      EXPECT_EQ(values[degree - 1], 0.0);
+    }
   }
 }
 
