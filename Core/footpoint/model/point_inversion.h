@@ -3,20 +3,12 @@
 
 #include "footpoint/common/execution.h"
 #include "footpoint/model/model.h"
-#include "footpoint/search/seeded_search.h"
+#include "footpoint/search/patch_search.h"
 
 #include <limits>
 
 namespace footpoint
 {
-
-/// How the starts of the local solver are found.
-enum class Search
-{
-  Global, ///< from every Bézier piece whose bounding box may hold a nearer point
-  Seeded, ///< from the best samples of a coarse grid on every face
-  Local   ///< from one start: the given one, else the best sample
-};
 
 /// Outcome for one point; numbers are those of the array Status.
 enum class Status
@@ -83,6 +75,7 @@ public:
   PointInverter& operator=(PointInverter&&) noexcept;
 
   const Model& model() const;
+  const InversionOptions& options() const;
   /// Diagonal of the bounding box of all control points.
   double size() const;
 

@@ -179,6 +179,12 @@ LocalFoot<N> SeededSearch<N>::find(
   return best;
 }
 
+template <int N>
+Box SeededSearch<N>::box() const
+{
+  return { this->Samples.rowwise().minCoeff(), this->Samples.rowwise().maxCoeff() };
+}
+
 template class SeededSearch<1>;
 template class SeededSearch<2>;
 

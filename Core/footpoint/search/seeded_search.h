@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/search/cell_tree.h"
 #include "footpoint/solvers/local_solver.h"
 
 #include <array>
@@ -39,8 +40,12 @@ public:
   LocalFoot<N> find_from(
     const Vector3& query, const Parameter<N>& start, const SolverOptions& options) const;
 
-private:
+  /// The samples of the coarse grid, first direction fastest, and the box they lie in.
+  Eigen::Index number_of_samples() const { return this->Samples.cols(); }
   Parameter<N> parameter(Eigen::Index sample) const;
+  Box box() const;
+
+private:
   bool is_local_minimum(Eigen::Index sample, const Eigen::VectorXd& distances) const;
   /// The nearest of the 3 × 3 points around a parameter.
   Parameter<N> refine(const Vector3& query, const Parameter<N>& around, double half_width) const;

@@ -147,8 +147,8 @@ int KnotVector::find_span(double t, Side side) const
     t = *last;
     side = Side::Left;
   }
-  const auto above = side == Side::Right ? std::upper_bound(first, last + 1, t)
-                                         : std::lower_bound(first, last + 1, t);
+  const auto above =
+    side == Side::Right ? std::upper_bound(first, last, t) : std::lower_bound(first, last, t);
   return static_cast<int>(above - this->Local.begin()) - 1;
 }
 

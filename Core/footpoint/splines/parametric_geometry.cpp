@@ -127,24 +127,12 @@ Parameter<N> ParametricGeometry<N>::to_domain(const Parameter<N>& local) const
   for (int i = 0; i < N; ++i)
   {
     const Direction& direction = this->Directions[i];
-    parameter[i] = direction.origin + local[i];
-    // Rounding must not carry a parameter across a knot line, least of all where there is a gap.
-    const auto above =
-      std::upper_bound(direction.spans.begin(), direction.spans.end(), local[i]);
-    const std::size_t next = above - direction.spans.begin();
-    if (direction.knots.empty() || next == 0)
-    {
-      continue;
-    }
-    const double below = direction.knots[next - 1];
-    if (direction.spans[next - 1] == local[i])
-    {
-      parameter[i] = below;
-    }
-    else if (next < direction.knots.size())
-    {
-      parameter[i] = std::clamp(parameter[i], below, direction.knots[next]);
-    }
+    // Subtracting and adding the origin rounds twice; on a gap the sum may lie on its other side.
+    const auto knot = std::lower_bound(direction.spans.begin(), direction.spans.end(), local[i]);
+    const bool on_knot =
+      !direction.knots.empty() && knot != direction.spans.end() && *knot == local[i];
+    parameter[i] = on_knot ? direction.knots[knot - direction.spans.begin()]
+                           : direction.origin + local[i];
   }
   return parameter;
 }

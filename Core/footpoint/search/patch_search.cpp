@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/search/patch_search.h"
+
+#include "footpoint/search/better_foot.h"
+#include "footpoint/search/flattened_geometry.h"
+#include "footpoint/search/stationary_search.h"
+#include "footpoint/solvers/foot_conditions.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace footpoint
+{
+namespace
+{
+
+/// Geometry that is no spline has no boxes: a dense grid takes the place of the cells.
+constexpr SeedOptions kDenseSeeds{ 31, 16 };
+
+/// A line meets the geometry where it passes closer than this fraction of the size: the square root
+/// of rounding would be the limit where it only grazes, a transversal meeting is exact.
+constexpr double kMeets = 1e-10;
+
+/// Scaled eigenvalue of the Hessian below which a foot may be one of a continuum, how far off (as a
+/// fraction of the size) another one is looked for, and how equal its distance has to be.
+constexpr double kFlat = 1e-6;
+constexpr double kProbe = 1e-2;
+constexpr double kEqualDistance = 1e-12;
+
+template <int N>
+class PatchSearchOf : public PatchSearch
+{
+public:
+  PatchSearchOf(std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
+    const SeedOptions& seeding, int minimum_cells)
+    : Shared(std::move(geometry))
+    , Geometry(*this->Shared)
+    , Solver(solver)
+    , Seeding(seeding)
+    , Cells(this->Geometry, minimum_cells)
+    , Seeds(this->Geometry, seeding)
+    , Dense(this->Geometry, this->Cells.empty() ? kDenseSeeds : SeedOptions{ 2, 1 })
+  {
+  }
+
+  double bound(const PatchQuery& query) const override
+  {
+    return this->Cells.empty() ? 0.0 : this->cell_bound(this->local(query.point), query)(this->Cells.box());
+  }
+
+  void search(const PatchQuery& query, const std::function<double()>& limit,
+    const std::function<void(const PatchFoot&)>& found) const override
+  {
+    switch (query.sought)
+    {
+      case Sought::Minimum: return this->minima(query, limit, found);
+      case Sought::Orthogonal: return this->orthogonal_feet(query, limit, found);
+      case Sought::Intersection: return this->intersections(query, limit, found);
+    }
+  }
+
+  bool isolated(const Vector3& point, const PatchFoot& foot) const override;
+
+  bool orthogonal(const Vector3& point, const PatchFoot& foot) const override
+  {
+    LocalFoot<N> local;
+    local.parameter = foot.local.head<N>();
+    local.sides = foot.sides.head<N>();
+    return is_orthogonal<N>(this->Geometry, this->local(point), local, this->Solver);
+  }
+
+  Box box() const override
+  {
+    Box box = this->Cells.empty() ? this->Dense.box() : this->Cells.box();
+    box.lower += this->Geometry.centre();
+    box.upper += this->Geometry.centre();
+    return box;
+  }
+
+  double size() const override { return this->Geometry.size(); }
+
+  bool same(const PatchFoot& a, const PatchFoot& b) const override
+  {
+    return !this->lower(a, b) && !this->lower(b, a);
+  }
+
+  bool lower(const PatchFoot& a, const PatchFoot& b) const override
+  {
+    return is_lower_parameter<N>(a.local.head<N>(), b.local.head<N>(), this->Geometry);
+  }
+
+private:
+  Vector3 local(const Vector3& point) const { return point - this->Geometry.centre(); }
+
+  std::function<double(const Box&)> cell_bound(const Vector3& query, const PatchQuery& asked) const
+  {
+    if (asked.sought != Sought::Intersection)
+    {
+      return [query](const Box& box) { return box.distance(query); };
+    }
+    // The line's distance from the box, by the sphere around the box.
+    const Vector3 line = asked.line;
+    return [query, line](const Box& box)
+    {
+      const Vector3 to_middle = 0.5 * (box.lower + box.upper) - query;
+      const double across = (to_middle - line * line.dot(to_middle)).norm();
+      return std::max(0.0, across - 0.5 * (box.upper - box.lower).norm());
+    };
+  }
+
+  /// The starts that a query is worth: the given one, then cells or samples by their bound.
+  void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
+    const std::function<void(const Parameter<N>&)>& visit) const
+  {
+    const Vector3 at = this->local(query.point);
+    const Parameter<N> given = this->Geometry.to_local(query.start.head<N>());
+    const bool has_start = given.allFinite();
+    if (has_start)
+    {
+      visit(given);
+    }
+    if (query.search == Search::Local && has_start)
+    {
+      return;
+    }
+    if (query.search == Search::Global && !this->Cells.empty())
+    {
+      this->Cells.traverse(this->cell_bound(at, query), limit, visit);
+      return;
+    }
+    const bool dense = query.search == Search::Global;
+    const SeededSearch<N>& seeds = dense ? this->Dense : this->Seeds;
+    if (query.sought != Sought::Minimum && query.search != Search::Local)
+    {
+      // Maxima and intersections need not be near a sampled minimum.
+      for (Eigen::Index k = 0; k < seeds.number_of_samples(); ++k)
+      {
+        visit(seeds.parameter(k));
+      }
+      return;
+    }
+    const int count = query.search == Search::Local
+      ? 1
+      : (dense ? kDenseSeeds.number_of_seeds : this->Seeding.number_of_seeds);
+    for (const Parameter<N>& seed : seeds.seeds(at, count))
+    {
+      visit(seed);
+    }
+  }
+
+  PatchFoot lift(const Vector3& point, const LocalFoot<N>& foot) const
+  {
+    PatchFoot result;
+    result.local.template head<N>() = foot.parameter;
+    result.sides.template head<N>() = foot.sides;
+    result.parameter.template head<N>() = this->Geometry.to_domain(foot.parameter);
+    result.offset = foot.point - this->local(point);
+    result.point = this->Geometry.centre() + foot.point;
+    result.distance = foot.distance;
+    result.converged = foot.converged;
+    result.type = foot.type;
+    result.iterations = foot.iterations;
+    return result;
+  }
+
+  void minima(const PatchQuery& query, const std::function<double()>& limit,
+    const std::function<void(const PatchFoot&)>& found) const
+  {
+    const Vector3 at = this->local(query.point);
+    this->for_each_start(query, limit,
+      [&](const Parameter<N>& start)
+      { found(this->lift(query.point, this->Seeds.find_from(at, start, this->Solver))); });
+  }
+
+  void orthogonal_feet(const PatchQuery& query, const std::function<double()>& limit,
+    const std::function<void(const PatchFoot&)>& found) const
+  {
+    const Vector3 at = this->local(query.point);
+    this->for_each_start(query, limit,
+      [&](const Parameter<N>& start)
+      {
+        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->Solver);
+        if (is_orthogonal<N>(this->Geometry, at, minimum, this->Solver))
+        {
+          found(this->lift(query.point, minimum));
+        }
+        if (const auto foot = find_orthogonal_foot<N>(this->Geometry, at, start, this->Solver))
+        {
+          found(this->lift(query.point, *foot));
+        }
+      });
+  }
+
+  void intersections(const PatchQuery& query, const std::function<double()>&,
+    const std::function<void(const PatchFoot&)>& found) const
+  {
+    const FlattenedGeometry<N> flat(this->Geometry, query.line);
+    const Vector3 at = flat.flatten(this->local(query.point));
+    const double meets = kMeets * this->Geometry.size();
+    this->for_each_start(
+      query, [meets] { return meets; },
+      [&](const Parameter<N>& start)
+      {
+        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->Solver);
+        if (foot.distance > meets)
+        {
+          return;
+        }
+        foot.point = this->Geometry.jet(foot.parameter, foot.sides, 0).point;
+        foot.distance = std::abs((foot.point - this->local(query.point)).dot(query.line));
+        foot.converged = true;
+        found(this->lift(query.point, foot));
+      });
+  }
+
+  std::shared_ptr<const ParametricGeometry<N>> Shared;
+  const ParametricGeometry<N>& Geometry;
+  SolverOptions Solver;
+  SeedOptions Seeding;
+  CellTree<N> Cells;
+  SeededSearch<N> Seeds;
+  SeededSearch<N> Dense;
+};
+
+/// Where E is flat to second order along a direction, a descent is started a little way off on either
+/// side: on a continuum it stays there, at an isolated minimum it comes back (or ends farther away).
+template <int N>
+bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
+{
+  const Vector3 query = this->local(point);
+  const Parameter<N> t = foot.local.head<N>();
+  const Frame<N> frame = make_frame<N>(this->Geometry, query, t, foot.sides.head<N>());
+  const FootConditions<N> conditions(this->Geometry, this->Solver);
+  const Eigen::Matrix<bool, N, 1> free = conditions.free(frame);
+  typename Frame<N>::Matrix scaled = frame.hessian();
+  Parameter<N> scale = Parameter<N>::Zero();
+  for (int i = 0; i < N; ++i)
+  {
+    if (!conditions.stalled(frame, i))
+    {
+      scale(i) = 1.0 / frame.speed(i);
+    }
+  }
+  scaled = scale.asDiagonal() * scaled * scale.asDiagonal();
+  for (int i = 0; i < N; ++i)
+  {
+    if (!free(i) || scale(i) == 0.0)
+    {
+      scaled.row(i).setZero();
+      scaled.col(i).setZero();
+      scaled(i, i) = 1.0;
+    }
+  }
+  Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix> eigen;
+  eigen.computeDirect(scaled);
+  const double size = this->Geometry.size();
+  for (int k = 0; k < N; ++k)
+  {
+    if (eigen.eigenvalues()(k) > kFlat)
+    {
+      continue;
+    }
+    // Scaled by 1 / |S_i|, so that the step has about the length of the probe in space.
+    const Parameter<N> step = scale.cwiseProduct(eigen.eigenvectors().col(k)) * (kProbe * size);
+    for (const double sign : { -1.0, 1.0 })
+    {
+      const LocalFoot<N> other =
+        find_local_foot<N>(this->Geometry, query, Parameter<N>(t + sign * step), this->Solver);
+      const bool elsewhere = (other.point - frame.jet.point).norm() > 0.5 * kProbe * size;
+      const double difference = std::abs(other.distance - foot.distance);
+      if (elsewhere && difference <= kEqualDistance * size && other.converged &&
+        (other.point - frame.jet.point).norm() < 2.0 * kProbe * size)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+template <int N>
+std::unique_ptr<PatchSearch> make_patch_search(
+  std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
+  const SeedOptions& seeding, int minimum_cells)
+{
+  return std::make_unique<PatchSearchOf<N>>(std::move(geometry), solver, seeding, minimum_cells);
+}
+
+template std::unique_ptr<PatchSearch> make_patch_search<1>(
+  std::shared_ptr<const ParametricCurve>, const SolverOptions&, const SeedOptions&, int);
+template std::unique_ptr<PatchSearch> make_patch_search<2>(
+  std::shared_ptr<const ParametricSurface>, const SolverOptions&, const SeedOptions&, int);
+
+} // namespace footpoint

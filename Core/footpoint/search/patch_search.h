@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/search/cell_tree.h"
+#include "footpoint/search/seeded_search.h"
+
+#include <functional>
+#include <memory>
+
+namespace footpoint
+{
+
+/// How the starts of the local solver are found.
+enum class Search
+{
+  Global, ///< from every Bézier piece whose bounding box may hold a nearer point
+  Seeded, ///< from the best samples of a coarse grid on every face
+  Local   ///< from one start: the given one, else the best sample
+};
+
+/// What is sought on a patch.
+enum class Sought
+{
+  Minimum,      ///< minima of the distance, found by descent
+  Orthogonal,   ///< feet where r is orthogonal to the geometry
+  Intersection  ///< where a line through the point meets the geometry
+};
+
+/// A question to a patch, in model coordinates.
+struct PatchQuery
+{
+  Vector3 point;
+  Sought sought = Sought::Minimum;
+  Search search = Search::Global;
+  Vector3 line = Vector3::Zero();                        ///< unit vector, for Intersection
+  Parameter<2> start = Parameter<2>::Constant(NAN);      ///< in the geometry's domain; NaN: automatic
+};
+
+/// A foot on one patch; curves have v = 0.
+struct PatchFoot
+{
+  Parameter<2> local = Parameter<2>::Zero(); ///< local parameters
+  Sides<2> sides = Sides<2>::Constant(Side::Right);
+  Parameter<2> parameter = Parameter<2>::Zero(); ///< the geometry's own domain
+  Vector3 offset;                                ///< foot − P, without the rounding of far origins
+  Vector3 point;                                 ///< model coordinates
+  double distance = 0.0;                         ///< |offset|
+  bool converged = false;
+  FootType type = FootType::Interior;
+  int iterations = 0;
+};
+
+/// One curve or surface prepared for queries. Built once; const and thread-safe.
+class PatchSearch
+{
+public:
+  virtual ~PatchSearch() = default;
+
+  /// A lower bound of the distance from a point (from a line, where the query has one).
+  virtual double bound(const PatchQuery& query) const = 0;
+
+  /// Calls found(foot) for the feet that descents from all eligible starts end in (the same foot more
+  /// than once). Starts whose bound exceeds limit() are passed over; found may lower it.
+  virtual void search(const PatchQuery& query, const std::function<double()>& limit,
+    const std::function<void(const PatchFoot&)>& found) const = 0;
+
+  /// Whether the foot is the only one near it: false on a continuum of equally near points.
+  virtual bool isolated(const Vector3& point, const PatchFoot& foot) const = 0;
+
+  /// Whether r is orthogonal to the geometry on all sides of the foot.
+  virtual bool orthogonal(const Vector3& point, const PatchFoot& foot) const = 0;
+
+  /// The box of the geometry, in model coordinates.
+  virtual Box box() const = 0;
+
+  /// Diagonal of the bounding box of the control points.
+  virtual double size() const = 0;
+
+  /// Whether two feet are one, by their parameters.
+  virtual bool same(const PatchFoot& a, const PatchFoot& b) const = 0;
+
+  /// Lexicographic order of the parameters, equal ones (kSameParameter) being equal.
+  virtual bool lower(const PatchFoot& a, const PatchFoot& b) const = 0;
+};
+
+/// \param minimum_cells see CellTree
+template <int N>
+std::unique_ptr<PatchSearch> make_patch_search(
+  std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
+  const SeedOptions& seeding, int minimum_cells);
+
+} // namespace footpoint
