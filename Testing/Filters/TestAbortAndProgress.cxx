@@ -6,6 +6,8 @@
 #include "vtkPointInversionFilter.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 using namespace testing;
 
 namespace
@@ -41,7 +43,7 @@ void TestProgress(vtkDataObject* input, bool warm_start)
   filter->SetSourceData(MakeTorus());
   filter->SetWarmStart(warm_start);
   filter->Update();
-  CHECK(watcher->Steps.size() > 5);
+  CHECK(watcher->Steps.size() >= 4);
   CHECK(std::is_sorted(watcher->Steps.begin(), watcher->Steps.end()));
   CHECK(watcher->Steps.front() < 0.5);
   CHECK(watcher->Steps.back() == 1.0);
