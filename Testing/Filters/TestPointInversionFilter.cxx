@@ -118,7 +118,8 @@ void TestSphere()
   CHECK(table->GetNumberOfRows() == 1);
   CHECK(table->GetValueByName(0, "Count").ToInt() == count);
   CHECK(table->GetValueByName(0, "Maximum").ToDouble() == FieldValue(output, "DistanceMaximum"));
-  CHECK(table->GetValueByName(0, "MaximumAbsolute").ToDouble() >= largest);
+  CHECK(table->GetValueByName(0, "MaximumAbsolute").ToDouble() ==
+    std::max(-FieldValue(output, "DistanceMinimum"), FieldValue(output, "DistanceMaximum")));
 
   // === Sign, tolerance and prefix
   filter->FlipNormalsOn();
