@@ -150,9 +150,11 @@ void TestFunction()
 
 int TestPointInversionCache(int, char*[])
 {
-  return Run([] {
-    TestNet();
-    TestComposite();
-    TestFunction();
-  });
+  return Run(
+    []
+    {
+      TestNet();
+      TestComposite();
+      TestFunction();
+    });
 }

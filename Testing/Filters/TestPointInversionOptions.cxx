@@ -181,12 +181,14 @@ void TestSeedsAndWarmStart()
 
 int TestPointInversionOptions(int, char*[])
 {
-  return Run([] {
-    TestDefaults();
-    TestNames();
-    TestAllFeet();
-    TestFixedDirection();
-    TestOrthogonalOnly();
-    TestSeedsAndWarmStart();
-  });
+  return Run(
+    []
+    {
+      TestDefaults();
+      TestNames();
+      TestAllFeet();
+      TestFixedDirection();
+      TestOrthogonalOnly();
+      TestSeedsAndWarmStart();
+    });
 }
