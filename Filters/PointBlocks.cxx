@@ -54,7 +54,6 @@ void gather_points(vtkDataSet* block, vtkIdType first, Points& points, std::vect
   for (vtkIdType i = 0; i < count; ++i)
   {
     Start& start = starts[static_cast<std::size_t>(first + i)];
-    start.parameter[1] = 0.0; // one component seeds curves
     for (int k = 0; k < components; ++k)
     {
       start.parameter[k] = seeds->GetComponent(i, k);

@@ -324,6 +324,13 @@ int vtkPointInversionFilter::RequestData(
     vtkWarningMacro(<< problem << " (left out)");
   }
   const footpoint::Model& model = this->Internal->Inverter.inverter().model();
+  const FootArrayLayout layout = Internals::Layout(this, model);
+  if (layout.has_surfaces && this->Method > SECOND_ORDER)
+  {
+    vtkErrorMacro("Method " << this->GetMethodAsString()
+                            << " is for curves alone, but the geometry has surfaces.");
+    return 0;
+  }
   const PointBlocks points = collect_points(input, output);
   if (points.skipped > 0)
   {
@@ -342,7 +349,6 @@ int vtkPointInversionFilter::RequestData(
   }
 
   // === Attach
-  const FootArrayLayout layout = Internals::Layout(this, model);
   for (const Block& block : points.blocks)
   {
     attach_feet(

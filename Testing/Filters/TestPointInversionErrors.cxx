@@ -234,9 +234,15 @@ void TestMissingInput()
   filter->Update();
   CHECK(Contains(recorder->Errors, "StepTolerance"));
 
-  // All is well again.
   recorder->Clear();
   filter->SetStepTolerance(1e-15);
+  filter->SetMethodToCurvatureCircle();
+  filter->Update();
+  CHECK(Contains(recorder->Errors, "Method CurvatureCircle"));
+
+  // All is well again.
+  recorder->Clear();
+  filter->SetMethodToNewton();
   filter->Update();
   CHECK(recorder->Errors.empty());
   CHECK(vtkPolyData::SafeDownCast(filter->GetOutput())->GetNumberOfPoints() == 1);
