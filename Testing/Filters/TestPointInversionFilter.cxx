@@ -118,7 +118,8 @@ void TestSphere()
   CHECK(table->GetNumberOfRows() == 1);
   CHECK(table->GetValueByName(0, "Count").ToInt() == count);
   CHECK(table->GetValueByName(0, "Maximum").ToDouble() == FieldValue(output, "DistanceMaximum"));
-  CHECK(table->GetValueByName(0, "MaximumAbsolute").ToDouble() >= largest);
+  CHECK(table->GetValueByName(0, "MaximumAbsolute").ToDouble() ==
+    std::max(-FieldValue(output, "DistanceMinimum"), FieldValue(output, "DistanceMaximum")));
 
   // === Sign, tolerance and prefix
   filter->FlipNormalsOn();
@@ -174,7 +175,8 @@ void TestStatuses()
     CHECK(Value(output, "Status", i) == expected[i]);
     if (expected[i] > 1)
     {
-      for (const char* name : { "Parameters", "Distance", "SignedDistance", "ClosestPoint", "Normal" })
+      for (const char* name :
+        { "Parameters", "Distance", "SignedDistance", "ClosestPoint", "Normal" })
       {
         for (int k = 0; k < PointArray(output, name)->GetNumberOfComponents(); ++k)
         {
@@ -325,12 +327,14 @@ void TestEmptyInputAndTypes()
 
 int TestPointInversionFilter(int, char*[])
 {
-  return Run([] {
-    TestSphere();
-    TestTorus();
-    TestStatuses();
-    TestCurve();
-    TestReplacedAndKeptArrays();
-    TestEmptyInputAndTypes();
-  });
+  return Run(
+    []
+    {
+      TestSphere();
+      TestTorus();
+      TestStatuses();
+      TestCurve();
+      TestReplacedAndKeptArrays();
+      TestEmptyInputAndTypes();
+    });
 }
