@@ -111,8 +111,7 @@ std::array<double, 4> parameter_range(vtkUnstructuredGrid* grid, vtkIdType cell,
   return range;
 }
 
-Patch convert_cell(
-  vtkUnstructuredGrid* grid, vtkIdType cell, const Eigen::VectorXd& all_weights)
+Patch convert_cell(vtkUnstructuredGrid* grid, vtkIdType cell, const Eigen::VectorXd& all_weights)
 {
   const int type = grid->GetCellType(cell);
   if (type != VTK_BEZIER_CURVE && type != VTK_BEZIER_QUADRILATERAL)

@@ -14,9 +14,8 @@ void add_options(ContentHash& hash, const InversionOptions& options)
   const SolverOptions& solver = options.solver;
   for (const double number : { static_cast<double>(options.search),
          static_cast<double>(solver.method), solver.point_tolerance, solver.cosine_tolerance,
-         solver.step_tolerance, static_cast<double>(solver.maximum_iterations),
-         solver.trust_radius, static_cast<double>(solver.column_scaling),
-         static_cast<double>(solver.isocurve_fallback),
+         solver.step_tolerance, static_cast<double>(solver.maximum_iterations), solver.trust_radius,
+         static_cast<double>(solver.column_scaling), static_cast<double>(solver.isocurve_fallback),
          static_cast<double>(options.seeding.resolution),
          static_cast<double>(options.seeding.number_of_seeds), options.maximum_distance,
          static_cast<double>(options.orthogonal_only), static_cast<double>(options.all_feet),

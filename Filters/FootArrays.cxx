@@ -20,8 +20,8 @@ namespace footpoint::conversion
 namespace
 {
 
-/// Makes an array from a function of the foot, `write(foot, values)`, and adds it in place of one of
-/// its name. Without a foot all values are `none`.
+/// Makes an array from a function of the foot, `write(foot, values)`, and adds it in place of one
+/// of its name. Without a foot all values are `none`.
 template <typename ArrayType, typename Write>
 vtkDataArray* add_array(const char* name, int components, const Foot* feet, vtkIdType count,
   int repeat, const FootArrayLayout& layout, vtkDataSetAttributes* attributes,
@@ -80,32 +80,32 @@ bool has_foot(const Foot& foot)
 void attach_feet(const Foot* feet, vtkIdType count, int repeat, const FootArrayLayout& layout,
   vtkDataSetAttributes* attributes)
 {
-  const auto add_doubles = [&](const char* name, int components, const auto& write) {
+  const auto add_doubles = [&](const char* name, int components, const auto& write)
+  {
     return add_array<vtkDoubleArray>(
       name, components, feet, count, repeat, layout, attributes, std::nan(""), write);
   };
-  const auto add_ints = [&](const char* name, const auto& write) {
-    add_array<vtkIntArray>(name, 1, feet, count, repeat, layout, attributes, -1, write);
-  };
+  const auto add_ints = [&](const char* name, const auto& write)
+  { add_array<vtkIntArray>(name, 1, feet, count, repeat, layout, attributes, -1, write); };
 
   vtkDataArray* scalars = nullptr;
   if (layout.parameters)
   {
     const int components = layout.has_curves && !layout.has_surfaces ? 1 : 2;
-    add_doubles("Parameters", components, [components](const Foot& foot, double* values) {
-      std::copy_n(foot.parameter.data(), components, values);
-    });
+    add_doubles("Parameters", components,
+      [components](const Foot& foot, double* values)
+      { std::copy_n(foot.parameter.data(), components, values); });
   }
   if (layout.distance)
   {
-    vtkDataArray* distance = add_doubles(
-      "Distance", 1, [](const Foot& foot, double* value) { *value = foot.distance; });
+    vtkDataArray* distance =
+      add_doubles("Distance", 1, [](const Foot& foot, double* value) { *value = foot.distance; });
     scalars = layout.has_surfaces ? nullptr : distance;
   }
   if (layout.signed_distance && layout.has_surfaces)
   {
-    scalars = add_doubles("SignedDistance", 1,
-      [](const Foot& foot, double* value) { *value = foot.signed_distance; });
+    scalars = add_doubles(
+      "SignedDistance", 1, [](const Foot& foot, double* value) { *value = foot.signed_distance; });
   }
   if (layout.closest_point)
   {
@@ -114,21 +114,25 @@ void attach_feet(const Foot* feet, vtkIdType count, int repeat, const FootArrayL
   }
   if (layout.normal && layout.has_surfaces)
   {
-    add_doubles("Normal", 3, [](const Foot& foot, double* values) {
-      if (!foot.on_curve)
+    add_doubles("Normal", 3,
+      [](const Foot& foot, double* values)
       {
-        write_vector(foot.direction, values);
-      }
-    });
+        if (!foot.on_curve)
+        {
+          write_vector(foot.direction, values);
+        }
+      });
   }
   if (layout.tangent && layout.has_curves)
   {
-    add_doubles("Tangent", 3, [](const Foot& foot, double* values) {
-      if (foot.on_curve)
+    add_doubles("Tangent", 3,
+      [](const Foot& foot, double* values)
       {
-        write_vector(foot.direction, values);
-      }
-    });
+        if (foot.on_curve)
+        {
+          write_vector(foot.direction, values);
+        }
+      });
   }
   if (layout.face_id)
   {

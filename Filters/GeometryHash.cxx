@@ -160,7 +160,8 @@ void ContentHash::add(vtkDataObject* geometry)
   iterator->TraverseSubTreeOff();
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    vtkInformation* meta = iterator->HasCurrentMetaData() ? iterator->GetCurrentMetaData() : nullptr;
+    vtkInformation* meta =
+      iterator->HasCurrentMetaData() ? iterator->GetCurrentMetaData() : nullptr;
     const char* name = meta ? meta->Get(vtkCompositeDataSet::NAME()) : nullptr;
     this->add(std::string(name ? name : ""));
     this->add(iterator->GetCurrentDataObject());

@@ -18,15 +18,16 @@ namespace
 /// Samples per direction from which size, centre, closure and collapsed sides are found.
 constexpr int kSizeSamples = 33;
 
-/// Spacing of the five points of a difference formula as a fraction of the domain: the truncation of
-/// the first derivative (h^4) and its rounding (1e-16 / h) are both below 1e-12.
+/// Spacing of the five points of a difference formula as a fraction of the domain: the truncation
+/// of the first derivative (h^4) and its rounding (1e-16 / h) are both below 1e-12.
 constexpr double kSpacing = 1e-3;
 
 /// The same for the three points a direction of the mixed derivative: truncation h^2 against
 /// rounding 1e-16 / h^2.
 constexpr double kMixedSpacing = 1e-4;
 
-/// Weights by which values at `Count` equally spaced places give the value and the derivatives at t.
+/// Weights by which values at `Count` equally spaced places give the value and the derivatives at
+/// t.
 template <int Count>
 struct Stencil
 {
@@ -64,8 +65,8 @@ Stencil<Count> make_stencil(double t, double length, double relative_spacing)
       {
         for (int k = std::min(i, 3); k >= 1; --k)
         {
-          weights(k, i) = product * (k * weights(k - 1, i - 1) - to_last * weights(k, i - 1)) /
-            next_product;
+          weights(k, i) =
+            product * (k * weights(k - 1, i - 1) - to_last * weights(k, i - 1)) / next_product;
         }
         weights(0, i) = -product * to_last * weights(0, i - 1) / next_product;
       }
@@ -103,8 +104,8 @@ ParametricFunctionGeometry<N>::ParametricFunctionGeometry(vtkParametricFunction*
     {
       throw GeometryError(GeometryDefect::EmptyDomain,
         std::string("The parametric function has the domain from ") +
-          vtkVariant(domain[2 * i]).ToString() + " to " +
-          vtkVariant(domain[2 * i + 1]).ToString() + " in " + (i == 0 ? "u" : "v"));
+          vtkVariant(domain[2 * i]).ToString() + " to " + vtkVariant(domain[2 * i + 1]).ToString() +
+          " in " + (i == 0 ? "u" : "v"));
     }
     direction.breaks = { Break{ 0.0, false }, Break{ direction.length, false } };
     direction.spans = { 0.0, direction.length };
@@ -148,8 +149,7 @@ Vector3 ParametricFunctionGeometry<N>::evaluate(const Parameter<N>& local) const
 }
 
 template <>
-Jet<1> ParametricFunctionGeometry<1>::jet(
-  const Parameter<1>& t, const Sides<1>&, int order) const
+Jet<1> ParametricFunctionGeometry<1>::jet(const Parameter<1>& t, const Sides<1>&, int order) const
 {
   Jet<1> jet;
   jet.point = this->evaluate(t);
@@ -170,8 +170,7 @@ Jet<1> ParametricFunctionGeometry<1>::jet(
 }
 
 template <>
-Jet<2> ParametricFunctionGeometry<2>::jet(
-  const Parameter<2>& t, const Sides<2>&, int order) const
+Jet<2> ParametricFunctionGeometry<2>::jet(const Parameter<2>& t, const Sides<2>&, int order) const
 {
   Jet<2> jet;
   jet.point = this->evaluate(t);

@@ -16,8 +16,8 @@ namespace footpoint::conversion
 /// A parametric curve (N = 1) or surface (N = 2) of VTK.
 ///
 /// Derivatives come from differences over five points, always inside the domain, because several
-/// functions of VTK return wrong ones while claiming to have them, and some are not defined outside.
-/// Their relative error is about 1e-12 for the first and 1e-9 for the second ones.
+/// functions of VTK return wrong ones while claiming to have them, and some are not defined
+/// outside. Their relative error is about 1e-12 for the first and 1e-9 for the second ones.
 template <int N>
 class ParametricFunctionGeometry : public ParametricGeometry<N>
 {

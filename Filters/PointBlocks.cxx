@@ -26,8 +26,7 @@ std::vector<char> visible_points(vtkDataSet* block)
     block->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (ghosts)
   {
-    const int skipped =
-      vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+    const int skipped = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
     for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
     {
       visible.push_back((ghosts->GetValue(i) & skipped) == 0);
@@ -55,7 +54,6 @@ void gather_points(vtkDataSet* block, vtkIdType first, Points& points, std::vect
   for (vtkIdType i = 0; i < count; ++i)
   {
     Start& start = starts[static_cast<std::size_t>(first + i)];
-    start.parameter[1] = 0.0; // one component seeds curves
     for (int k = 0; k < components; ++k)
     {
       start.parameter[k] = seeds->GetComponent(i, k);
@@ -71,7 +69,8 @@ PointBlocks collect_points(vtkDataObject* input, vtkDataObject* output)
 {
   PointBlocks result;
   vtkIdType total = 0;
-  const auto add = [&](vtkDataSet* block, int flat_index) {
+  const auto add = [&](vtkDataSet* block, int flat_index)
+  {
     result.blocks.push_back({ block, flat_index, total, block->GetNumberOfPoints() });
     total += block->GetNumberOfPoints();
   };
@@ -121,7 +120,8 @@ std::vector<TaggedFoot> PointBlocks::tagged_feet(const InversionResult& result) 
   for (const Block& block : this->blocks)
   {
     const vtkIdType end = block.first + block.count;
-    const auto add = [&](const Foot& foot, vtkIdType at) {
+    const auto add = [&](const Foot& foot, vtkIdType at)
+    {
       if (has_foot(foot))
       {
         feet.push_back({ foot, this->queries.col(at), at - block.first, block.flat_index });

@@ -29,7 +29,7 @@ struct PointBlocks
   Points queries;
   std::vector<Start> starts; ///< empty, or one for each point
   bool composite = false;
-  int skipped = 0;           ///< leaves without points, which are passed as they are
+  int skipped = 0; ///< leaves without points, which are passed as they are
 
   /// The feet of output 1, in the order of the points.
   std::vector<TaggedFoot> tagged_feet(const InversionResult& result) const;

@@ -63,8 +63,7 @@ KnotVector read_knots(vtkStructuredGrid* net, int direction, int number_of_point
     const auto at = static_cast<std::size_t>(direction);
     if (at >= degrees.size())
     {
-      refuse(GeometryDefect::Count,
-        "the field data array Degree has 1 value, a surface needs 2");
+      refuse(GeometryDefect::Count, "the field data array Degree has 1 value, a surface needs 2");
     }
     // A degree that is no number or no integer can never equal the implied one.
     if (degrees[at] != static_cast<double>(implied))
@@ -193,8 +192,8 @@ private:
     }
     if (count > 1)
     {
-      this->refuse_face(name,
-        "it is cut into " + std::to_string(count) + " pieces; a net must come in one piece");
+      this->refuse_face(
+        name, "it is cut into " + std::to_string(count) + " pieces; a net must come in one piece");
       return;
     }
     this->add(only, name);

@@ -167,8 +167,7 @@ int vtkPointInversionFilter::RequestDataObject(
   {
     return 0;
   }
-  return SetOutputDataObject(
-           input->GetDataObjectType(), outputs->GetInformationObject(0), true) &&
+  return SetOutputDataObject(input->GetDataObjectType(), outputs->GetInformationObject(0), true) &&
     SetOutputDataObject(VTK_POLY_DATA, outputs->GetInformationObject(1), true) &&
     SetOutputDataObject(VTK_TABLE, outputs->GetInformationObject(2), true);
 }
@@ -234,11 +233,13 @@ footpoint::InversionResult vtkPointInversionFilter::Internals::Invert(
   double done = 0.0;
   double share = 1.0;
   footpoint::Execution execution;
-  execution.parallel_for = [](std::int64_t count, const auto& body) {
+  execution.parallel_for = [](std::int64_t count, const auto& body)
+  {
     vtkSMPTools::For(0, static_cast<vtkIdType>(count),
       [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
-  execution.proceed = [&](double fraction) {
+  execution.proceed = [&](double fraction)
+  {
     self->UpdateProgress(done + share * fraction);
     return !self->GetAbortExecute();
   };
@@ -251,8 +252,7 @@ footpoint::InversionResult vtkPointInversionFilter::Internals::Invert(
   {
     share = static_cast<double>(block.count) / total;
     const footpoint::Points part = points.queries.middleCols(block.first, block.count);
-    const footpoint::InversionResult feet =
-      footpoint::invert_sequence(inverter, part, execution);
+    const footpoint::InversionResult feet = footpoint::invert_sequence(inverter, part, execution);
     result.feet.insert(result.feet.end(), feet.feet.begin(), feet.feet.end());
     done += share;
     result.cancelled = feet.cancelled;
@@ -324,6 +324,13 @@ int vtkPointInversionFilter::RequestData(
     vtkWarningMacro(<< problem << " (left out)");
   }
   const footpoint::Model& model = this->Internal->Inverter.inverter().model();
+  const FootArrayLayout layout = Internals::Layout(this, model);
+  if (layout.has_surfaces && this->Method > SECOND_ORDER)
+  {
+    vtkErrorMacro("Method " << this->GetMethodAsString()
+                            << " is for curves alone, but the geometry has surfaces.");
+    return 0;
+  }
   const PointBlocks points = collect_points(input, output);
   if (points.skipped > 0)
   {
@@ -342,11 +349,10 @@ int vtkPointInversionFilter::RequestData(
   }
 
   // === Attach
-  const FootArrayLayout layout = Internals::Layout(this, model);
   for (const Block& block : points.blocks)
   {
-    attach_feet(result.feet.data() + block.first, block.count, 1, layout,
-      block.output->GetPointData());
+    attach_feet(
+      result.feet.data() + block.first, block.count, 1, layout, block.output->GetPointData());
   }
   fill_foot_points(points.tagged_feet(result), this->FootSegments, points.composite, layout,
     vtkPolyData::GetData(outputs, 1));
@@ -362,9 +368,8 @@ int vtkPointInversionFilter::RequestData(
 void vtkPointInversionFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto flag = [&](const char* name, bool value) {
-    os << indent << name << ": " << (value ? "On" : "Off") << "\n";
-  };
+  const auto flag = [&](const char* name, bool value)
+  { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
   os << indent << "ParametricFunction: " << this->ParametricFunction << "\n";
   os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
@@ -380,8 +385,8 @@ void vtkPointInversionFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   flag("OrthogonalOnly", this->OrthogonalOnly);
   flag("AllFeet", this->AllFeet);
-  os << indent << "FixedDirection: (" << this->FixedDirection[0] << ", "
-     << this->FixedDirection[1] << ", " << this->FixedDirection[2] << ")\n";
+  os << indent << "FixedDirection: (" << this->FixedDirection[0] << ", " << this->FixedDirection[1]
+     << ", " << this->FixedDirection[2] << ")\n";
   flag("WarmStart", this->WarmStart);
   flag("FlipNormals", this->FlipNormals);
   os << indent << "DeviationTolerance: " << this->DeviationTolerance << "\n";

@@ -102,18 +102,18 @@ public:
     LOCAL = 2   ///< from one start: the given one, else the best sample
   };
 
-  /// The step of the local solver.
+  /// The step of the local solver; those from FIRST_ORDER on are for curves alone.
   enum MethodEnum
   {
     NEWTON = 0,
     GAUSS_NEWTON = 1,
     LEVENBERG_MARQUARDT = 2,
     SECOND_ORDER = 3,     ///< Newton in the geometry's own metric
-    FIRST_ORDER = 4,      ///< curves: projection onto the tangent
-    CURVATURE_CIRCLE = 5, ///< curves: projection onto the osculating circle (Hu, Wallner 2005)
-    SECOND_ORDER_1 = 6,   ///< curves: second-order Method 1
-    SECOND_ORDER_2 = 7,   ///< curves: second-order Method 2
-    SECOND_ORDER_3 = 8    ///< curves: second-order Method 3
+    FIRST_ORDER = 4,      ///< projection onto the tangent
+    CURVATURE_CIRCLE = 5, ///< projection onto the osculating circle (Hu and Wallner 2005)
+    SECOND_ORDER_1 = 6,   ///< second-order Method 1
+    SECOND_ORDER_2 = 7,   ///< second-order Method 2
+    SECOND_ORDER_3 = 8    ///< second-order Method 3
   };
 
   /// Values of the array `Status`.
@@ -169,7 +169,8 @@ public:
 
   ///@{
   /**
-   * The step of the local solver, see MethodEnum. Default: NEWTON.
+   * The step of the local solver, see MethodEnum. Geometry with surfaces is refused by the methods
+   * for curves. Default: NEWTON.
    */
   vtkSetClampMacro(Method, int, NEWTON, SECOND_ORDER_3);
   vtkGetMacro(Method, int);

@@ -151,10 +151,11 @@ void fill_output(const std::vector<Request>& requests,
   }
   attributes->AddArray(clamped);
   attributes->AddArray(point_ids);
-  const auto has = [&](bool curves) {
-    return std::any_of(model.begin(), model.end(), [&](const footpoint::Face& face) {
-      return !face.patches.empty() && is_curve(face) == curves;
-    });
+  const auto has = [&](bool curves)
+  {
+    return std::any_of(model.begin(), model.end(),
+      [&](const footpoint::Face& face)
+      { return !face.patches.empty() && is_curve(face) == curves; });
   };
   if (has(false))
   {
@@ -286,16 +287,17 @@ int vtkSplineEvaluator::RequestData(
     [](const footpoint::Face& face) { return !face.patches.empty() && !is_curve(face); });
   if (rows > 0 && surfaces && parameters->GetNumberOfComponents() < 2)
   {
-    vtkErrorMacro("The array '" << this->ParametersArrayName
-                                << "' has 1 component; surfaces need 2.");
+    vtkErrorMacro(
+      "The array '" << this->ParametersArrayName << "' has 1 component; surfaces need 2.");
     return 0;
   }
 
   // === Compute
   const std::vector<Request> requests = collect_requests(model, parameters, faces, only, rows);
   std::vector<footpoint::Evaluation> evaluations(requests.size());
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(requests.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, static_cast<vtkIdType>(requests.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto at = static_cast<std::size_t>(i);

@@ -135,7 +135,8 @@ inline void AddDegree(vtkFieldData* data, const std::vector<int>& degrees)
   data->AddArray(array);
 }
 
-/// A net; weights empty: none. \param nv 1 for a curve, whose knots_v and second degree are not used
+/// A net; weights empty: none. \param nv 1 for a curve, whose knots_v and second degree are not
+/// used
 inline vtkSmartPointer<vtkStructuredGrid> MakeNet(int nu, int nv,
   const std::vector<Point>& control_points, const std::vector<double>& weights,
   const std::vector<double>& knots_u, const std::vector<double>& knots_v = {})
@@ -253,8 +254,8 @@ inline vtkSmartPointer<vtkStructuredGrid> MakeSquare(double height = 0.0, double
 /// The parabola (t, t²), t in [−2, 2], as a quadratic spline.
 inline vtkSmartPointer<vtkStructuredGrid> MakeParabola()
 {
-  return MakeNet(3, 1, { { { -2, 4, 0 } }, { { 0, -4, 0 } }, { { 2, 4, 0 } } }, {},
-    { -2, -2, -2, 2, 2, 2 });
+  return MakeNet(
+    3, 1, { { { -2, 4, 0 } }, { { 0, -4, 0 } }, { { 2, 4, 0 } } }, {}, { -2, -2, -2, 2, 2, 2 });
 }
 
 inline vtkDataArray* PointArray(vtkDataObject* data, const std::string& name)
@@ -305,8 +306,8 @@ public:
 
   void Watch(vtkAlgorithm* algorithm)
   {
-    for (vtkObject* object : { static_cast<vtkObject*>(algorithm),
-           static_cast<vtkObject*>(algorithm->GetExecutive()) })
+    for (vtkObject* object :
+      { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
     {
       object->AddObserver(vtkCommand::ErrorEvent, this);
       object->AddObserver(vtkCommand::WarningEvent, this);

@@ -70,13 +70,15 @@ void TestProgress(vtkDataObject* input, bool warm_start)
 
 int TestAbortAndProgress(int, char*[])
 {
-  return Run([] {
-    const auto points = MakePoints(RandomPoints(20000, 4.0));
-    TestProgress(points, false);
-    vtkNew<vtkMultiBlockDataSet> blocks;
-    blocks->SetBlock(0, MakePoints(RandomPoints(8000, 4.0)));
-    blocks->SetBlock(1, MakePoints(RandomPoints(12000, 4.0, 2)));
-    TestProgress(blocks, false);
-    TestProgress(blocks, true);
-  });
+  return Run(
+    []
+    {
+      const auto points = MakePoints(RandomPoints(20000, 4.0));
+      TestProgress(points, false);
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, MakePoints(RandomPoints(8000, 4.0)));
+      blocks->SetBlock(1, MakePoints(RandomPoints(12000, 4.0, 2)));
+      TestProgress(blocks, false);
+      TestProgress(blocks, true);
+    });
 }

@@ -33,8 +33,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
 }
 
 /// Numbers for each cell in rows of `components`.
-void AddRows(vtkUnstructuredGrid* grid, const char* name, int components,
-  const std::vector<double>& numbers)
+void AddRows(
+  vtkUnstructuredGrid* grid, const char* name, int components, const std::vector<double>& numbers)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -182,8 +182,8 @@ void TestNodeOrder()
 void TestCurves()
 {
   // A quarter circle as a rational quadratic: ends first, then the inner point.
-  auto grid = MakeGrid({ { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } }, { { -1, 0, 0 } },
-                         { { -1, 1, 0 } } },
+  auto grid = MakeGrid(
+    { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } }, { { -1, 0, 0 } }, { { -1, 1, 0 } } },
     { 1, 1, std::sqrt(0.5), 1, std::sqrt(0.5) });
   const vtkIdType first[] = { 0, 1, 2 };
   const vtkIdType second[] = { 1, 3, 4 };
@@ -192,7 +192,8 @@ void TestCurves()
   vtkNew<vtkPointInversionFilter> filter;
   filter->SetSourceData(grid);
   const double half = std::sqrt(0.5);
-  filter->SetInputData(MakePoints({ { { 2 * half, 2 * half, 0 } }, { { -2 * half, 2 * half, 0 } } }));
+  filter->SetInputData(
+    MakePoints({ { { 2 * half, 2 * half, 0 } }, { { -2 * half, 2 * half, 0 } } }));
   filter->Update();
   for (vtkIdType i = 0; i < 2; ++i)
   {
@@ -220,7 +221,8 @@ void TestCurves()
 
 void TestErrors()
 {
-  const auto error_of = [](vtkUnstructuredGrid* grid) {
+  const auto error_of = [](vtkUnstructuredGrid* grid)
+  {
     vtkNew<vtkPointInversionFilter> filter;
     vtkNew<MessageRecorder> recorder;
     recorder->Watch(filter);
@@ -267,10 +269,12 @@ void TestErrors()
 
 int TestBezierCells(int, char*[])
 {
-  return Run([] {
-    TestSphere();
-    TestNodeOrder();
-    TestCurves();
-    TestErrors();
-  });
+  return Run(
+    []
+    {
+      TestSphere();
+      TestNodeOrder();
+      TestCurves();
+      TestErrors();
+    });
 }

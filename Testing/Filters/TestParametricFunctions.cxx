@@ -74,8 +74,8 @@ double Size(const std::vector<Point>& points)
   return data->GetLength();
 }
 
-/// Largest distance found for points on the function, as a fraction of its size. A fresh function is
-/// given to the filter, so that its first evaluation is the filter's.
+/// Largest distance found for points on the function, as a fraction of its size. A fresh function
+/// is given to the filter, so that its first evaluation is the filter's.
 double WorstDistance(vtkParametricFunction* judge, vtkParametricFunction* fresh)
 {
   const std::vector<Point> points = PointsOn(judge);
@@ -99,27 +99,29 @@ double WorstDistance(vtkParametricFunction* judge, vtkParametricFunction* fresh)
 vtkSmartPointer<vtkParametricFunction> MakeSpline()
 {
   auto spline = vtkSmartPointer<vtkParametricSpline>::New();
-  spline->SetPoints(MakePoints({ { { 0, 0, 0 } }, { { 1, 2, 0 } }, { { 3, 1, 1 } }, { { 4, 3, 2 } } })
-                      ->GetPoints());
+  spline->SetPoints(
+    MakePoints({ { { 0, 0, 0 } }, { { 1, 2, 0 } }, { { 3, 1, 1 } }, { { 4, 3, 2 } } })
+      ->GetPoints());
   return spline;
 }
 
 void TestAll()
 {
-  const std::vector<std::pair<const char*, vtkSmartPointer<vtkParametricFunction> (*)()>> functions = {
-    { "BohemianDome", Make<vtkParametricBohemianDome> }, { "Bour", Make<vtkParametricBour> },
-    { "Boy", Make<vtkParametricBoy> }, { "CatalanMinimal", Make<vtkParametricCatalanMinimal> },
-    { "ConicSpiral", Make<vtkParametricConicSpiral> }, { "CrossCap", Make<vtkParametricCrossCap> },
-    { "Dini", Make<vtkParametricDini> }, { "Ellipsoid", Make<vtkParametricEllipsoid> },
-    { "Enneper", Make<vtkParametricEnneper> }, { "Figure8Klein", Make<vtkParametricFigure8Klein> },
-    { "Henneberg", Make<vtkParametricHenneberg> }, { "Klein", Make<vtkParametricKlein> },
-    { "Kuen", Make<vtkParametricKuen> }, { "Mobius", Make<vtkParametricMobius> },
-    { "PluckerConoid", Make<vtkParametricPluckerConoid> },
-    { "Pseudosphere", Make<vtkParametricPseudosphere> },
-    { "RandomHills", Make<vtkParametricRandomHills> }, { "Roman", Make<vtkParametricRoman> },
-    { "Spline", MakeSpline }, { "SuperEllipsoid", Make<vtkParametricSuperEllipsoid> },
-    { "SuperToroid", Make<vtkParametricSuperToroid> }, { "Torus", Make<vtkParametricTorus> }
-  };
+  const std::vector<std::pair<const char*, vtkSmartPointer<vtkParametricFunction> (*)()>>
+    functions = { { "BohemianDome", Make<vtkParametricBohemianDome> },
+      { "Bour", Make<vtkParametricBour> }, { "Boy", Make<vtkParametricBoy> },
+      { "CatalanMinimal", Make<vtkParametricCatalanMinimal> },
+      { "ConicSpiral", Make<vtkParametricConicSpiral> },
+      { "CrossCap", Make<vtkParametricCrossCap> }, { "Dini", Make<vtkParametricDini> },
+      { "Ellipsoid", Make<vtkParametricEllipsoid> }, { "Enneper", Make<vtkParametricEnneper> },
+      { "Figure8Klein", Make<vtkParametricFigure8Klein> },
+      { "Henneberg", Make<vtkParametricHenneberg> }, { "Klein", Make<vtkParametricKlein> },
+      { "Kuen", Make<vtkParametricKuen> }, { "Mobius", Make<vtkParametricMobius> },
+      { "PluckerConoid", Make<vtkParametricPluckerConoid> },
+      { "Pseudosphere", Make<vtkParametricPseudosphere> },
+      { "RandomHills", Make<vtkParametricRandomHills> }, { "Roman", Make<vtkParametricRoman> },
+      { "Spline", MakeSpline }, { "SuperEllipsoid", Make<vtkParametricSuperEllipsoid> },
+      { "SuperToroid", Make<vtkParametricSuperToroid> }, { "Torus", Make<vtkParametricTorus> } };
   std::string failures;
   for (const auto& [name, make] : functions)
   {
@@ -159,10 +161,12 @@ void TestDistances()
 
 int TestParametricFunctions(int, char*[])
 {
-  return Run([] {
-    CHECK(vtkSMPTools::SetBackend("STDThread"));
-    vtkSMPTools::Initialize(2);
-    TestAll();
-    TestDistances();
-  });
+  return Run(
+    []
+    {
+      CHECK(vtkSMPTools::SetBackend("STDThread"));
+      vtkSMPTools::Initialize(2);
+      TestAll();
+      TestDistances();
+    });
 }

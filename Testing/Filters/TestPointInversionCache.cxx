@@ -8,6 +8,8 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkParametricTorus.h"
 #include "vtkPointInversionFilter.h"
+#include "vtkXMLStructuredGridReader.h"
+#include "vtkXMLStructuredGridWriter.h"
 
 using namespace testing;
 
@@ -125,6 +127,30 @@ void TestComposite()
   CHECK(!builds.Rebuilt());
 }
 
+/// Whatever piece of the points is wanted, the geometry is asked for whole, and built once.
+void TestPieces()
+{
+  vtkNew<vtkXMLStructuredGridWriter> writer;
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(MakeSphere());
+  writer->Write();
+  vtkNew<vtkXMLStructuredGridReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+
+  const std::vector<Point> positions = RandomPoints(10, 2.0);
+  vtkNew<vtkPointInversionFilter> filter;
+  filter->SetInputData(MakePoints(positions));
+  filter->SetSourceConnection(reader->GetOutputPort());
+  for (const int piece : { 1, 0 })
+  {
+    filter->UpdatePiece(piece, 2, 0);
+    CHECK(filter->GetNumberOfModelBuilds() == 1);
+    CHECK(vtkStructuredGrid::SafeDownCast(filter->GetSource())->GetNumberOfPoints() == 45);
+    CHECK_NEAR(Value(filter->GetOutput(), "SignedDistance", 0), Norm(positions[0]) - 1.0, 1e-12);
+  }
+}
+
 void TestFunction()
 {
   vtkNew<vtkParametricTorus> torus;
@@ -150,9 +176,12 @@ void TestFunction()
 
 int TestPointInversionCache(int, char*[])
 {
-  return Run([] {
-    TestNet();
-    TestComposite();
-    TestFunction();
-  });
+  return Run(
+    []
+    {
+      TestNet();
+      TestComposite();
+      TestPieces();
+      TestFunction();
+    });
 }

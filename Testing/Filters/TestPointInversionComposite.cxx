@@ -25,7 +25,8 @@ void SetName(vtkDataObject* leaf, const char* name)
   leaf->GetFieldData()->AddArray(array);
 }
 
-/// Squares at heights 0, 10, a null block, and in a nested block a circle and a reversed square at 20.
+/// Squares at heights 0, 10, a null block, and in a nested block a circle and a reversed square
+/// at 20.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeModel()
 {
   vtkNew<vtkMultiBlockDataSet> nested;
@@ -47,8 +48,8 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeModel()
 void TestCompositeSource()
 {
   vtkNew<vtkPointInversionFilter> filter;
-  filter->SetInputData(MakePoints({ { { 5.5, 0.5, 1 } }, { { 0.5, 0.5, 12 } },
-    { { 3, 0, 0 } }, { { 0.5, 0.5, 19 } }, { { 0.5, 0.5, 22 } } }));
+  filter->SetInputData(MakePoints({ { { 5.5, 0.5, 1 } }, { { 0.5, 0.5, 12 } }, { { 3, 0, 0 } },
+    { { 0.5, 0.5, 19 } }, { { 0.5, 0.5, 22 } } }));
   filter->SetSourceData(MakeModel());
   filter->Update();
   vtkDataObject* output = filter->GetOutput();
@@ -188,9 +189,11 @@ void TestCompositeInput()
 
 int TestPointInversionComposite(int, char*[])
 {
-  return Run([] {
-    TestCompositeSource();
-    TestPartitionedSource();
-    TestCompositeInput();
-  });
+  return Run(
+    []
+    {
+      TestCompositeSource();
+      TestPartitionedSource();
+      TestCompositeInput();
+    });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every message of vtkPointInversionFilter about bad geometry or missing input: the array, the index
-// and the value are named, the outputs are empty, and good faces of a model go on.
+// Every message of vtkPointInversionFilter about bad geometry or missing input: the array, the
+// index and the value are named, the outputs are empty, and good faces of a model go on.
 #include "FilterTesting.h"
 
 #include "vtkCellArray.h"
@@ -20,7 +20,8 @@ using namespace testing;
 namespace
 {
 
-/// Executes with a source and returns the error text; checks that there is none iff outputs are full.
+/// Executes with a source and returns the error text; checks that there is none iff outputs are
+/// full.
 std::string ErrorOf(vtkDataObject* source)
 {
   vtkNew<vtkPointInversionFilter> filter;
@@ -233,9 +234,15 @@ void TestMissingInput()
   filter->Update();
   CHECK(Contains(recorder->Errors, "StepTolerance"));
 
-  // All is well again.
   recorder->Clear();
   filter->SetStepTolerance(1e-15);
+  filter->SetMethodToCurvatureCircle();
+  filter->Update();
+  CHECK(Contains(recorder->Errors, "Method CurvatureCircle"));
+
+  // All is well again.
+  recorder->Clear();
+  filter->SetMethodToNewton();
   filter->Update();
   CHECK(recorder->Errors.empty());
   CHECK(vtkPolyData::SafeDownCast(filter->GetOutput())->GetNumberOfPoints() == 1);
@@ -258,13 +265,15 @@ void TestParametricFunction()
 
 int TestPointInversionErrors(int, char*[])
 {
-  return Run([] {
-    TestNets();
-    TestCutNets();
-    TestWeightsByName();
-    TestOtherData();
-    TestPartlyBadModel();
-    TestMissingInput();
-    TestParametricFunction();
-  });
+  return Run(
+    []
+    {
+      TestNets();
+      TestCutNets();
+      TestWeightsByName();
+      TestOtherData();
+      TestPartlyBadModel();
+      TestMissingInput();
+      TestParametricFunction();
+    });
 }

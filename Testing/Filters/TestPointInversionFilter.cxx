@@ -175,7 +175,8 @@ void TestStatuses()
     CHECK(Value(output, "Status", i) == expected[i]);
     if (expected[i] > 1)
     {
-      for (const char* name : { "Parameters", "Distance", "SignedDistance", "ClosestPoint", "Normal" })
+      for (const char* name :
+        { "Parameters", "Distance", "SignedDistance", "ClosestPoint", "Normal" })
       {
         for (int k = 0; k < PointArray(output, name)->GetNumberOfComponents(); ++k)
         {
@@ -326,12 +327,14 @@ void TestEmptyInputAndTypes()
 
 int TestPointInversionFilter(int, char*[])
 {
-  return Run([] {
-    TestSphere();
-    TestTorus();
-    TestStatuses();
-    TestCurve();
-    TestReplacedAndKeptArrays();
-    TestEmptyInputAndTypes();
-  });
+  return Run(
+    []
+    {
+      TestSphere();
+      TestTorus();
+      TestStatuses();
+      TestCurve();
+      TestReplacedAndKeptArrays();
+      TestEmptyInputAndTypes();
+    });
 }

@@ -2,6 +2,7 @@
 // Options of vtkPointInversionFilter: defaults, names, and what each does.
 #include "FilterTesting.h"
 
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointInversionFilter.h"
 
 #include "footpoint/model/point_inversion.h"
@@ -160,6 +161,27 @@ void TestSeedsAndWarmStart()
   CHECK_NEAR(std::abs(Value(filter->GetOutput(), "Parameters", 2)), std::sqrt(1.5), 1e-9);
   CHECK(filter->GetNumberOfModelBuilds() == 1);
 
+  // Surfaces take no seed of one component.
+  vtkNew<vtkPointInversionFilter> on_surface;
+  on_surface->SetSourceData(MakeSphere());
+  on_surface->SetSearchToLocal();
+  on_surface->SetInputData(points);
+  on_surface->Update();
+  CHECK_NEAR(Value(on_surface->GetOutput(), "Distance", 0), 1.0, 1e-12);
+
+  // Of two faces the one of the seed is tried from there.
+  const auto between = MakePoints({ { { 0, 2, 0 } } });
+  AddNumbers(between->GetPointData(), "SeedParameters", { -1.0 });
+  AddNumbers(between->GetPointData(), "SeedFaceId", { 1 });
+  vtkNew<vtkMultiBlockDataSet> twins;
+  twins->SetBlock(0, MakeParabola());
+  twins->SetBlock(1, MakeParabola());
+  filter->SetSourceData(twins);
+  filter->SetInputData(between);
+  filter->Update();
+  CHECK_NEAR(Value(filter->GetOutput(), "Distance", 0), std::sqrt(1.75), 1e-12);
+  filter->SetSourceData(MakeParabola());
+
   // A path on one arm; every point but the first starts from the foot before it.
   std::vector<Point> path;
   for (int i = 0; i < 50; ++i)
@@ -181,12 +203,14 @@ void TestSeedsAndWarmStart()
 
 int TestPointInversionOptions(int, char*[])
 {
-  return Run([] {
-    TestDefaults();
-    TestNames();
-    TestAllFeet();
-    TestFixedDirection();
-    TestOrthogonalOnly();
-    TestSeedsAndWarmStart();
-  });
+  return Run(
+    []
+    {
+      TestDefaults();
+      TestNames();
+      TestAllFeet();
+      TestFixedDirection();
+      TestOrthogonalOnly();
+      TestSeedsAndWarmStart();
+    });
 }

@@ -18,6 +18,7 @@
 #include "vtkScalarBarActor.h"
 #include "vtkSphereSource.h"
 #include "vtkSplineEvaluator.h"
+#include "vtkTextProperty.h"
 
 using namespace testing;
 
@@ -120,6 +121,12 @@ int TestPointInversionRendering(int argc, char* argv[])
   bar->SetTitle("SignedDistance");
   bar->SetNumberOfLabels(5);
   bar->SetLabelFormat("%.1f");
+  bar->SetUnconstrainedFontSize(true);
+  bar->GetTitleTextProperty()->SetFontSize(14);
+  bar->GetLabelTextProperty()->SetFontSize(14);
+  bar->SetPosition(0.8, 0.15);
+  bar->SetWidth(0.12);
+  bar->SetHeight(0.7);
 
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.15, 0.17, 0.2);
@@ -127,7 +134,7 @@ int TestPointInversionRendering(int argc, char* argv[])
   renderer->AddActor(point_actor);
   renderer->AddActor2D(bar);
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(500, 400);
+  window->SetSize(600, 400);
   window->SetMultiSamples(0);
   window->AddRenderer(renderer);
   vtkNew<vtkRenderWindowInteractor> interactor;
@@ -136,7 +143,8 @@ int TestPointInversionRendering(int argc, char* argv[])
   renderer->GetActiveCamera()->SetFocalPoint(2, 2, 0);
   renderer->GetActiveCamera()->SetViewUp(0, 0, 1);
   renderer->ResetCamera();
-  renderer->GetActiveCamera()->Zoom(1.4);
+  renderer->GetActiveCamera()->Zoom(1.25);
+  renderer->GetActiveCamera()->SetWindowCenter(0.15, 0.0); // room for the scalar bar
   window->Render();
 
   const int result = vtkRegressionTestImageThreshold(window, 10.0);

@@ -84,8 +84,9 @@ void TestSphere()
   }
   CHECK(output->GetPointData()->GetNormals() == PointArray(output, "Normal"));
   CHECK(!output->GetPointData()->HasArray("Tangent"));
-  CHECK(vtkStringArray::SafeDownCast(output->GetPointData()->GetAbstractArray("Label"))
-          ->GetValue(3) == "e");
+  CHECK(
+    vtkStringArray::SafeDownCast(output->GetPointData()->GetAbstractArray("Label"))->GetValue(3) ==
+    "e");
   CHECK(FieldValue(output, "NumberOfSkippedPoints") == 1);
 
   evaluator->FlipNormalsOn();
@@ -157,7 +158,8 @@ void TestNamesAndErrors()
   vtkNew<vtkSplineEvaluator> evaluator;
   vtkNew<MessageRecorder> recorder;
   recorder->Watch(evaluator);
-  const auto errors = [&] {
+  const auto errors = [&]
+  {
     recorder->Clear();
     evaluator->Modified();
     evaluator->Update();
@@ -213,10 +215,12 @@ void TestNamesAndErrors()
 
 int TestSplineEvaluator(int, char*[])
 {
-  return Run([] {
-    TestSphere();
-    TestInverse();
-    TestCurveAndFunction();
-    TestNamesAndErrors();
-  });
+  return Run(
+    []
+    {
+      TestSphere();
+      TestInverse();
+      TestCurveAndFunction();
+      TestNamesAndErrors();
+    });
 }
