@@ -2,6 +2,7 @@
 """What an inspector wants to know about signed distances on a surface: outliers, statistics, damage."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -19,6 +20,15 @@ class Defect:
     position: np.ndarray  # (3,), mm, on the nominal surface
     height: float  # mm, negative for a dent
     points: int  # beyond the tolerance around it
+
+
+@dataclass
+class Inspection:
+    points: np.ndarray  # (m, 3), mm
+    result: object  # of footpoint.invert
+    tolerance: float  # mm
+    outliers: np.ndarray  # (m,) bool, points that their neighbours do not agree with
+    defect: Optional[Defect]  # where neighbours agree on the largest deviation, if out of tolerance
 
 
 def neighbours_medians(feet, distances, which):
@@ -41,12 +51,10 @@ def neighbours_medians(feet, distances, which):
     return medians
 
 
-def inspect(result, tolerance):
+def inspect(points, result, tolerance):
     """Divides the points that are out of tolerance into outliers and damage.
 
-    result: of footpoint.invert; tolerance: mm.
-    Returns (m,) bool, points that their neighbours do not agree with, and the Defect where
-    neighbours agree on the largest distance, or None where all is in tolerance.
+    points: (m, 3); result: of footpoint.invert; tolerance: mm. Returns an Inspection.
     """
     feet, distances = result.closest_points, result.signed_distance
     noise = 1.4826 * np.median(np.abs(distances - np.median(distances)))  # robust
@@ -56,12 +64,13 @@ def inspect(result, tolerance):
     outliers[suspects] = np.abs(distances[suspects] - medians) > OUTLIER_LIMIT * noise
 
     agreed = np.where(outliers[suspects], 0.0, medians)
-    if np.abs(agreed).max(initial=0.0) <= tolerance:
-        return outliers, None
-    worst = np.argmax(np.abs(agreed))
-    return outliers, measure_defect(
-        feet, np.where(outliers, 0.0, distances * np.sign(agreed[worst])), suspects[worst],
-        np.sign(agreed[worst]), tolerance)
+    worst = int(np.argmax(np.abs(agreed))) if len(agreed) else None
+    if worst is None or abs(agreed[worst]) <= tolerance:
+        return Inspection(points, result, tolerance, outliers, None)
+    sign = np.sign(agreed[worst])
+    heights = np.where(outliers, 0.0, sign * distances)
+    defect = measure_defect(feet, heights, suspects[worst], sign, tolerance)
+    return Inspection(points, result, tolerance, outliers, defect)
 
 
 def measure_defect(feet, heights, start, sign, tolerance):
@@ -81,15 +90,15 @@ def measure_defect(feet, heights, start, sign, tolerance):
 
 
 def statistics(distances, tolerance):
-    """Names and values of the usual figures of signed distances in mm."""
+    """Figures of signed distances in mm, named like those of footpoint.invert."""
     magnitude = np.sort(np.abs(distances))
     return {
-        "Points": len(distances),
-        "Minimum": distances.min(),
-        "Maximum": distances.max(),
-        "Mean": distances.mean(),
-        "RMS": np.sqrt(np.mean(distances**2)),
-        "Standard deviation": distances.std(),
-        "95 % of |d| within": magnitude[int(np.ceil(0.95 * len(magnitude))) - 1],
-        "Out of tolerance": np.mean(magnitude > tolerance),
+        "count": len(distances),
+        "minimum": distances.min(),
+        "maximum": distances.max(),
+        "mean": distances.mean(),
+        "rms": np.sqrt(np.mean(distances**2)),
+        "standard_deviation": distances.std(),
+        "percentile95": magnitude[int(np.ceil(0.95 * len(magnitude))) - 1],  # nearest rank
+        "out_of_tolerance_fraction": np.mean(magnitude > tolerance),
     }

@@ -2,101 +2,69 @@
 """A histogram of deviations with a logarithmic count axis, percentiles and tolerance limits."""
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartLegend, vtkChartXY
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkTable
-from vtkmodules.vtkRenderingContext2D import vtkContextActor, vtkPen
 
-BINS = 60
-PERCENTILES = (5.0, 50.0, 95.0)
-DARK = (0.13, 0.15, 0.18)
+from .drawing import (
+    DARK, GREY, PALE, RED, add_dashes, add_line, add_rectangles, add_text, signed)
+
+BINS = 80
+PERCENTILES = ((5, "Right"), (50, "Centered"), (95, "Left"))  # and where the label stands
 
 
-def table(**columns):
-    """A vtkTable of equally long arrays."""
-    result = vtkTable()
-    for name, values in columns.items():
-        array = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
-        array.SetName(name)
-        result.AddColumn(array)
-    return result
+def colour_of(colours, value):
+    """(r, g, b) of a vtkColorTransferFunction, clamped to its range."""
+    return colours.GetColor(float(np.clip(value, *colours.GetRange())))
 
 
-def style_axis(axis, title, positions, labels, limits):
-    """An axis with a title, labels of our own and fixed limits."""
-    axis.SetTitle(title)
-    axis.SetBehavior(vtkAxis.FIXED)
-    axis.SetRange(*limits)
-    ticks = vtkDoubleArray()
-    names = vtkStringArray()
-    for position, label in zip(positions, labels):
-        ticks.InsertNextValue(position)
-        names.InsertNextValue(label)
-    axis.SetCustomTickPositions(ticks, names)
-    for style, size in ((axis.GetTitleProperties(), 18), (axis.GetLabelProperties(), 16)):
-        style.SetFontFamilyToArial()
-        style.SetFontSize(size)
-        style.SetBold(0)
-        style.SetColor(DARK)
-    axis.GetGridPen().SetColor(225, 228, 232, 255)
+def add_histogram(page, frame, deviations, colours, limit, tolerance):
+    """Draws the histogram of deviations in mm within ±limit.
 
-
-def add_vertical(chart, x, top, label, colour, pen):
-    """A vertical line at x, named in the legend."""
-    line = chart.AddPlot(vtkChart.LINE)
-    line.SetInputData(table(x=[x, x], y=[0.0, top]), 0, 1)
-    line.SetLabel(label)
-    line.SetColor(*colour, 255)
-    line.SetWidth(2.0)
-    line.GetPen().SetLineType(pen)
-
-
-def add_histogram(renderer, deviations, colours, limit, tolerance):
-    """Draws the histogram of deviations in mm within ±limit into the renderer's viewport.
-
-    Bars stand for log10(count), so that a few points in a dent show beside thousands of good ones.
+    frame: (x0, y0, x1, y1) of the plot area in pixels of the page; labels stand around it.
+    Counts are logarithmic, so that a few points in a dent show beside thousands of good ones.
     """
+    left, bottom, right, top = frame
     counts, edges = np.histogram(deviations, bins=BINS, range=(-limit, limit))
     decades = int(np.ceil(np.log10(max(counts.max(), 10))))
-    top = decades + 0.2
+    decade = (top - bottom) / (decades + 0.15)  # pixels, over half of one for the count 1
 
-    chart = vtkChartXY()
-    chart.SetRenderEmpty(True)
-    centres = 0.5 * (edges[:-1] + edges[1:])
-    # One more than log10, so that a single point is seen too.
-    heights = np.where(counts > 0, np.log10(np.maximum(counts, 1)), 0.0)
-    heights = np.where(counts == 1, 0.06, heights)
-    bars = chart.AddPlot(vtkChart.BAR)
-    bars.SetInputData(table(x=centres, height=heights, colour=centres), 0, 1)
-    bars.SetLabel("")
-    bars.SetLegendVisibility(False)
-    bars.ScalarVisibilityOn()
-    bars.SetLookupTable(colours)
-    bars.SelectColorArray("colour")
-    bars.GetPen().SetLineType(vtkPen.NO_PEN)
+    def across(value):
+        return left + (value + limit) / (2.0 * limit) * (right - left)
 
-    add_vertical(chart, -tolerance, top, f"Tolerance \u00b1{tolerance:.2f}", (190, 60, 30), vtkPen.SOLID_LINE)
-    add_vertical(chart, tolerance, top, "", (190, 60, 30), vtkPen.SOLID_LINE)
-    for percentile in PERCENTILES:
-        value = np.percentile(deviations, percentile)
-        add_vertical(chart, value, top, f"P{percentile:.0f}  {value:+.3f}".replace("-", "\u2212"),
-                     (60, 65, 75), vtkPen.DASH_LINE)
+    def up(count):
+        return bottom + decade * (np.log10(count) + 0.15)
 
-    width = 2.0 * limit / BINS
-    steps = np.linspace(-limit, limit, 7)
-    style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Deviation [mm]", steps,
-               [f"{step:+.2f}".replace("-", "\u2212") for step in steps], (-limit, limit))
-    style_axis(chart.GetAxis(vtkAxis.LEFT), f"Points per {1000.0 * width:.0f} \u00b5m",
-               range(decades + 1), [f"{10**decade:,}" for decade in range(decades + 1)], (0.0, top))
-    chart.SetShowLegend(True)
-    legend = chart.GetLegend()
-    legend.SetInline(True)
-    legend.SetHorizontalAlignment(vtkChartLegend.RIGHT)
-    legend.SetVerticalAlignment(vtkChartLegend.TOP)
-    legend.GetLabelProperties().SetFontSize(15)
+    # === The count axis
+    for exponent in range(decades + 1):
+        y = up(10.0**exponent)
+        add_line(page, [(left, y), (right, y)], colour=PALE, width=1.0)
+        add_text(page, f"{10**exponent:,}", left - 8, y - 6, size=16, justify="Right")
+    bin_width = 2000.0 * limit / BINS
+    add_text(page, f"Points per {bin_width:.0f} \u00b5m of deviation", left - 66,
+             0.5 * (bottom + top), size=18, justify="Centered", angle=90.0)
 
-    actor = vtkContextActor()
-    actor.GetScene().AddItem(chart)
-    renderer.AddActor(actor)
-    actor.GetScene().SetRenderer(renderer)
+    # === The bars
+    shown = counts > 0
+    bars = [(across(a) + 0.5, bottom, across(b) - 0.5, up(count))
+            for a, b, count in zip(edges[:-1][shown], edges[1:][shown], counts[shown])]
+    middles = 0.5 * (edges[:-1] + edges[1:])[shown]
+    add_rectangles(page, bars, [colour_of(colours, middle) for middle in middles])
+
+    # === Percentiles and tolerance
+    for percentile, side in PERCENTILES:
+        x = across(np.percentile(deviations, percentile))
+        add_dashes(page, (x, bottom), (x, top), colour=GREY)
+        y = top + (23 if side == "Centered" else 7)
+        add_text(page, f"P{percentile}", x, y, size=14, justify=side)
+    for sign in (-1.0, 1.0):
+        x = across(sign * tolerance)
+        add_line(page, [(x, bottom), (x, top)], colour=RED, width=2.0)
+        add_text(page, f"Tol. {signed(sign * tolerance, 2)}", x, top + 7, size=14, colour=RED,
+                 justify="Right" if sign < 0 else "Left")
+
+    # === The deviation axis
+    add_line(page, [(left, top), (left, bottom), (right, bottom)], colour=DARK)
+    for value in np.linspace(-limit, limit, 5):
+        x = across(value)
+        add_line(page, [(x, bottom), (x, bottom - 5)])
+        add_text(page, signed(value, 2), x, bottom - 23, size=16, justify="Centered")
+    add_text(page, "Deviation [mm], all points", 0.5 * (left + right), bottom - 48, size=18,
+             justify="Centered")

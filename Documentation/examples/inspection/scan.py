@@ -52,7 +52,7 @@ def uniform_samples(surface, count, random):
 
 
 def dent_profile(points, parameters, centre):
-    """Height of the damage at points of the nominal surface: negative, smooth, zero beyond its radius."""
+    """Height of the damage at points of the surface: negative, smooth, zero beyond its radius."""
     distance = np.linalg.norm(points - centre, axis=1) / DENT_RADIUS
     inside = (distance < 1.0) & (parameters[:, 0] < 0.5)  # on one side of the blade only
     return np.where(inside, -DENT_DEPTH * (1.0 - np.minimum(distance, 1.0) ** 2) ** 2, 0.0)
