@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes Data/blade.vts: a twisted, tapered blade as an exact bicubic B-spline, in millimetres.
+"""Makes blade.vts, a twisted, tapered blade as an exact bicubic B-spline, and scan.vtp, a few points
+of it with noise; both in millimetres.
 
-    /usr/bin/python3 Data/make_blade.py Data/blade.vts
+    /usr/bin/python3 Data/make_blade.py [folder, default: its own]
 
 The sections are NACA 4-digit profiles in closed form (E. N. Jacobs, K. E. Ward, R. M. Pinkerton, NACA
 Report 460, 1933), with the crest of the camber line at half the chord, so that it is one parabola,
@@ -11,13 +12,15 @@ trailing edge over the suction side, the leading edge and the pressure side back
 edge; v goes from root to tip. S_u × S_v points out of the blade.
 """
 
+import pathlib
 import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
-from vtkmodules.vtkIOXML import vtkXMLStructuredGridWriter
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 
 DEGREE = 3
 POINTS_U = 97  # around the section
@@ -121,17 +124,37 @@ def spline_grid(net, knots_u, knots_v):
     return grid
 
 
-def main(path):
-    writer = vtkXMLStructuredGridWriter()
-    writer.SetInputData(spline_grid(*blade_net()))
-    writer.SetFileName(path)
+def scan_points(count=2000, noise=0.02):
+    """(count, 3) float32 points of the closed form with normal noise in every coordinate, in mm."""
+    random = np.random.default_rng(7)
+    parameters = random.random((2, count))
+    return (blade_point(*parameters) + random.normal(0.0, noise, (count, 3))).astype(np.float32)
+
+
+def cloud(points):
+    """Points as vtkPolyData vertices."""
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    vertices = vtkVertexGlyphFilter()
+    vertices.SetInputData(data)
+    vertices.Update()
+    return vertices.GetOutput()
+
+
+def write(writer, data, path):
+    writer.SetInputData(data)
+    writer.SetFileName(str(path))
     writer.SetDataModeToBinary()
     if writer.Write() != 1:
         sys.exit(f"cannot write {path}")
-    print(f"{path}: {POINTS_U} x {POINTS_V} control points, bicubic, mm")
+
+
+def main(folder):
+    write(vtkXMLStructuredGridWriter(), spline_grid(*blade_net()), folder / "blade.vts")
+    write(vtkXMLPolyDataWriter(), cloud(scan_points()), folder / "scan.vtp")
+    print(f"{folder}: blade.vts, {POINTS_U} x {POINTS_V} control points; scan.vtp")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])
+    main(pathlib.Path(__file__).resolve().parent if len(sys.argv) < 2 else pathlib.Path(sys.argv[1]))

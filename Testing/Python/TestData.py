@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data/blade.vts is what Data/make_blade.py makes, and is the blade that its formulas describe."""
+"""Data/blade.vts and scan.vtp are what Data/make_blade.py makes, and what its formulas describe."""
 
 import pathlib
 import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLStructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLStructuredGridReader
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 sys.path.insert(0, str(DATA))
@@ -24,7 +24,7 @@ def check(condition, message):
         sys.exit(f"TestData: {message}")
 
 
-# === The file
+# === The files
 check(stored.GetDimensions() == net.shape[:2] + (1,), f"dimensions {stored.GetDimensions()}")
 stored_net = vtk_to_numpy(stored.GetPoints().GetData()).reshape(net.shape[1], net.shape[0], 3)
 error = np.abs(stored_net.transpose(1, 0, 2) - net).max()
@@ -35,6 +35,11 @@ for name, knots in (("KnotsU", knots_u), ("KnotsV", knots_v)):
     check(error < 1e-14, f"a knot of {name} differs by {error}")
 check(list(vtk_to_numpy(field.GetArray("Degree"))) == [3, 3], "Degree is not 3, 3")
 check(field.GetAbstractArray("LengthUnit").GetValue(0) == "mm", "LengthUnit is not mm")
+reader = vtkXMLPolyDataReader()
+reader.SetFileName(str(DATA / "scan.vtp"))
+reader.Update()
+error = np.abs(vtk_to_numpy(reader.GetOutput().GetPoints().GetData()) - make_blade.scan_points())
+check(error.max() < 1e-4, f"a point of the scan differs by {error.max()} mm")
 
 # === The shape: within 0.3 µm of the closed form, closed, normals outwards
 random = np.random.default_rng(1)
@@ -54,4 +59,4 @@ for u, other in ((suction, pressure), (pressure, suction)):
                       make_blade.blade_point(u, heights + step) - here)
     across = here - make_blade.blade_point(other, heights)
     check((np.einsum("ij,ij->i", normal, across) > 0.0).all(), "a normal points inwards")
-print("TestData: blade.vts is as made")
+print("TestData: blade.vts and scan.vtp are as made")
