@@ -41,7 +41,8 @@ std::array<Parameter<2>, 3> inward(const ParametricSurface& surface, const Param
   for (int i = 0; i < 2; ++i)
   {
     const double length = surface.direction(i).length;
-    result[i] = Parameter<2>::Unit(i) * (t(i) >= length ? -length : length);
+    // Feet end up a rounding beside a pole: towards it would be the wrong side.
+    result[i] = Parameter<2>::Unit(i) * (t(i) > 0.5 * length ? -length : length);
   }
   // Across a collapsed side first: along it nothing changes.
   if ((t(1) == 0.0 && surface.direction(1).collapsed[0]) ||
