@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an inspector wants to know about signed distances on a surface: outliers, statistics, damage."""
+"""What an inspector asks of signed distances on a surface: outliers, damage, statistics."""
 
 from dataclasses import dataclass
 from typing import Optional
