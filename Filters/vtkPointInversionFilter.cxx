@@ -48,6 +48,19 @@ double limit(double value)
   return value >= VTK_DOUBLE_MAX ? std::numeric_limits<double>::infinity() : value;
 }
 
+/// Whether the user wants to stop. Newer VTK has CheckAbort, which also looks upstream and tells
+/// the executive; VTK 9.1 only the flag.
+template <typename Algorithm>
+auto should_abort(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort())
+{
+  return algorithm->CheckAbort();
+}
+template <typename Algorithm>
+bool should_abort(Algorithm* algorithm, long)
+{
+  return algorithm->GetAbortExecute() != 0;
+}
+
 } // namespace
 
 struct vtkPointInversionFilter::Internals
@@ -241,7 +254,7 @@ footpoint::InversionResult vtkPointInversionFilter::Internals::Invert(
   execution.proceed = [&](double fraction)
   {
     self->UpdateProgress(done + share * fraction);
-    return !self->GetAbortExecute();
+    return !should_abort(self, 0);
   };
   if (!self->WarmStart)
   {

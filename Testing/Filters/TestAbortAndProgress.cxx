@@ -53,13 +53,17 @@ void TestProgress(vtkDataObject* input, bool warm_start)
   watcher->Steps.clear();
   filter->Modified();
   filter->Update();
-  CHECK(watcher->Steps.size() >= 1 && watcher->Steps.back() < 0.9);
+  // Some versions of VTK report 1 at the end of an abort, too.
+  const auto late = [](double progress) { return progress > 0.9 && progress < 1.0; };
+  CHECK(std::none_of(watcher->Steps.begin(), watcher->Steps.end(), late));
+  CHECK(watcher->Steps.size() <= 4);
   CHECK(filter->GetFootPointsOutput()->GetNumberOfPoints() == 0);
   CHECK(filter->GetFaceStatisticsOutput()->GetNumberOfRows() == 0);
   CHECK(!filter->GetOutput()->GetFieldData()->HasArray("DistanceCount"));
 
   // Afterwards it works again, from the same model.
   watcher->AbortAfter = 2.0;
+  filter->SetAbortExecute(0); // since VTK 9.2 the executive leaves that to the caller
   filter->Modified();
   filter->Update();
   CHECK(filter->GetFootPointsOutput()->GetNumberOfPoints() == 20000);

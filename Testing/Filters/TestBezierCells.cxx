@@ -221,7 +221,7 @@ void TestCurves()
 
 void TestErrors()
 {
-  const auto error_of = [](vtkUnstructuredGrid* grid)
+  const auto error_of = [](vtkDataObject* grid)
   {
     vtkNew<vtkPointInversionFilter> filter;
     vtkNew<MessageRecorder> recorder;
@@ -260,6 +260,11 @@ void TestErrors()
   grid->GetCellData()->GetArray("ParameterRange")->InsertNextTuple4(0, 1, 0, 1);
   grid->GetCellData()->GetArray("HigherOrderDegrees")->InsertNextTuple3(1, 1, 0);
   CHECK(Contains(error_of(grid), "Face 1: cell 8: type 3")); // the sphere goes on
+
+  vtkNew<vtkMultiBlockDataSet> model;
+  model->SetBlock(0, MakeSquare());
+  model->SetBlock(1, grid);
+  CHECK(Contains(error_of(model), "Face 2: cell 8: type 3"));
 
   vtkNew<vtkUnstructuredGrid> empty;
   CHECK(Contains(error_of(empty), "no cells"));

@@ -155,6 +155,15 @@ void TestDistances()
     CHECK_NEAR(
       Value(filter->GetOutput(), "Distance", i), std::abs(TorusDistance(points[i])), 1e-10);
   }
+
+  // Newton's method needs right second derivatives to be quick.
+  double iterations = 0.0;
+  for (vtkIdType i = 0; i < 100; ++i)
+  {
+    iterations += Value(filter->GetOutput(), "Iterations", i);
+  }
+  std::cout << "iterations per point: " << iterations / 100 << std::endl;
+  CHECK(iterations / 100 < 6.0);
 }
 
 } // namespace

@@ -80,6 +80,15 @@ void TestNet()
   AddNumbers(sphere->GetFieldData(), "Orientation", { -1 });
   CHECK(builds.Rebuilt());
 
+  // The same arrays as another part of a net are no geometry.
+  vtkNew<MessageRecorder> recorder;
+  recorder->Watch(filter);
+  sphere->SetExtent(3, 11, 0, 4, 0, 0);
+  CHECK(!builds.Rebuilt());
+  CHECK(Contains(recorder->Errors, "starts at (3, 0, 0)"));
+  sphere->SetExtent(0, 8, 0, 4, 0, 0);
+  CHECK(builds.Rebuilt());
+
   // === Options
   filter->SetSearchToSeeded();
   CHECK(builds.Rebuilt());

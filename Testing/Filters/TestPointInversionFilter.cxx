@@ -317,7 +317,9 @@ void TestEmptyInputAndTypes()
   filter->Update();
   auto* net = vtkStructuredGrid::SafeDownCast(filter->GetOutput());
   CHECK(net != nullptr);
-  CHECK(net->GetDimensions()[0] == 9 && net->GetDimensions()[1] == 5);
+  int dimensions[3];
+  net->GetDimensions(dimensions);
+  CHECK(dimensions[0] == 9 && dimensions[1] == 5);
   CheckSurfaceArrays(net, 45);
   CHECK(net->GetPointData()->GetRationalWeights() != nullptr);
   CHECK(net->GetFieldData()->HasArray("KnotsU"));
