@@ -27,6 +27,10 @@ constexpr int kBacktracks = 12;
 /// nothing, so that finite steps have to tell a minimum from a saddle.
 constexpr double kFlatEigenvalue = 1e-6;
 
+/// Cosine between r and S_i below which a border does not hold a foot that can leave it by a finite
+/// step: what a step along such a slope wins is less than the rounding of E.
+constexpr double kFlatSlope = 1e-6;
+
 /// Starts again from another column of a collapsed side, at the most.
 constexpr int kPoleRestarts = 4;
 
@@ -393,10 +397,25 @@ private:
     return best && this->descends(*best) ? best : Candidate{};
   }
 
+  /// The free directions and those in which next to nothing presses against a border: there, too, E
+  /// may curve downwards (a saddle on a knot line, and a point beside one).
+  Eigen::Matrix<bool, N, 1> nearly_free() const
+  {
+    Eigen::Matrix<bool, N, 1> result = this->Conditions.free(this->Current);
+    const double flat =
+      std::max(this->Conditions.floor(this->Current), kFlatSlope * this->Current.distance);
+    for (int i = 0; i < N; ++i)
+    {
+      const double slope = std::abs(this->Current.gradient(i));
+      result(i) = result(i) || slope <= flat * this->Current.speed(i);
+    }
+    return result;
+  }
+
   /// Finite steps along directions in which E does not curve upwards, and along those that stall.
   Candidate escape_saddle()
   {
-    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
+    const StepSettings<N> settings = this->settings(this->nearly_free());
     typename Frame<N>::Matrix scaled =
       settings.scale.asDiagonal() * this->Current.hessian() * settings.scale.asDiagonal();
     for (int i = 0; i < N; ++i)
