@@ -18,7 +18,8 @@ scan = simple.XMLPolyDataReader(FileName=[str(DATA / "scan.vtp")])
 deviation = simple.PointInversion(Input=scan, Source=blade)
 deviation.DeviationTolerance = 0.05
 
-view = simple.CreateRenderView(ViewSize=[1000, 600], Background=[1, 1, 1], UseColorPaletteForBackground=0)
+view = simple.CreateRenderView(
+    ViewSize=[1000, 600], Background=[1, 1, 1], UseColorPaletteForBackground=0)
 view.OrientationAxesVisibility = 0
 points = simple.Show(deviation, view)
 points.PointSize = 6
@@ -27,10 +28,12 @@ colours = simple.GetColorTransferFunction("SignedDistance")
 colours.RescaleTransferFunction(-0.1, 0.1)
 legend = simple.GetScalarBar(colours, view)
 legend.Title, legend.ComponentTitle = "Deviation [mm]", ""
+legend.RangeLabelFormat = legend.LabelFormat = "%+.2f"
 legend.TitleColor = legend.LabelColor = [0.1, 0.1, 0.1]
+legend.WindowLocation = "Upper Right Corner"
 points.SetScalarBarVisibility(view, True)
-view.CameraViewUp = [0, 0.6, 0.8]
-view.CameraPosition = [-350, -300, 75]
+view.CameraViewUp = [0.79, 0.62, 0]  # along the chord
+view.CameraPosition = [-250, 315, 35]  # over the suction side
 view.CameraFocalPoint = [0, 0, 75]
 view.ResetCamera(True)
 simple.SaveScreenshot(str(pathlib.Path(sys.argv[1]) / "paraview_deviation.png"), view)
