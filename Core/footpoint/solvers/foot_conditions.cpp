@@ -30,7 +30,8 @@ Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
 }
 
 template <int N>
-Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
+Parameter<N> FootConditions<N>::residuals(
+  const Frame<N>& frame, const Parameter<N>& speeds) const
 {
   const Eigen::Matrix<bool, N, 1> free = this->free(frame);
   Parameter<N> result;
@@ -38,7 +39,7 @@ Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
   {
     // Where S_i stands still its direction is rounding, and the mean speed has to judge.
     const double slowest = kStalledSpeed * this->Geometry.direction(i).speed;
-    const double speed = std::max(frame.speed(i), slowest);
+    const double speed = std::max(speeds(i), slowest);
     result(i) = free(i) && speed > 0.0 ? std::abs(frame.gradient(i)) / speed : 0.0;
   }
   return result;
@@ -54,7 +55,16 @@ double FootConditions<N>::tolerance(const Frame<N>& frame) const
 template <int N>
 double FootConditions<N>::floor(const Frame<N>& frame) const
 {
-  return std::max(this->tolerance(frame), kResidualFloor * (this->Geometry.size() + frame.distance));
+  // The rounding of S_i is a part of the mean speed, and counts the more where S_i itself is small.
+  double slowness = 1.0;
+  for (int i = 0; i < N; ++i)
+  {
+    const double mean = this->Geometry.direction(i).speed;
+    const double speed = std::max(frame.speed(i), kStalledSpeed * mean);
+    slowness = speed > 0.0 ? std::max(slowness, kSpeedFloor * mean / speed) : slowness;
+  }
+  return std::max(
+    this->tolerance(frame), slowness * kResidualFloor * (this->Geometry.size() + frame.distance));
 }
 
 template <int N>

@@ -15,6 +15,10 @@ constexpr double kStalledSpeed = 1e-7;
 /// (or below the tolerances) still counts as zero.
 constexpr double kResidualFloor = 1e-13;
 
+/// Below this part of the mean speed the rounding of S_i, relative to S_i, is more than the thousand
+/// roundings of kResidualFloor.
+constexpr double kSpeedFloor = 1e-3;
+
 /// The conditions of Karush, Kuhn and Tucker for the nearest point on one smooth piece.
 template <int N>
 class FootConditions
@@ -29,7 +33,9 @@ public:
   Eigen::Matrix<bool, N, 1> free(const Frame<N>& frame) const;
 
   /// |r·S_i| / |S_i| where free, else 0.
-  Parameter<N> residuals(const Frame<N>& frame) const;
+  Parameter<N> residuals(const Frame<N>& frame) const { return this->residuals(frame, frame.speed); }
+  /// The same in units of other speeds: near a cusp |S_i| shrinks with r·S_i.
+  Parameter<N> residuals(const Frame<N>& frame, const Parameter<N>& speeds) const;
 
   /// What the residual of a frame has to stay below.
   double tolerance(const Frame<N>& frame) const;

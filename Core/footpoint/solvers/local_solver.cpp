@@ -20,8 +20,14 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// A step has to win this part of what the gradient promises (L. Armijo 1966).
 constexpr double kSufficientDecrease = 1e-4;
 
-/// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
-constexpr int kBacktracks = 12;
+/// Halvings (or fourfold dampings) of one step before the fall-backs are tried: for a query a million
+/// sizes away a step without curvature is a million times too long.
+constexpr int kBacktracks = 30;
+
+/// A method that has not brought the residual down to a hundredth in so many iterations hands over to
+/// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
+/// centre of curvature.
+constexpr int kPatience = 10;
 
 /// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative says
 /// nothing, so that finite steps have to tell a minimum from a saddle.
@@ -106,8 +112,13 @@ private:
       {
         return this->finish(Termination::PointCoincidence);
       }
-      const bool settled = this->Conditions.residuals(this->Current).maxCoeff() <=
-        this->Conditions.tolerance(this->Current);
+      const double residual = this->Conditions.residuals(this->Current).maxCoeff();
+      const bool settled = residual <= this->Conditions.tolerance(this->Current);
+      if (this->Iterations % kPatience == 0)
+      {
+        this->Slow = residual > 0.01 * this->Checkpoint;
+        this->Checkpoint = residual;
+      }
       Candidate next = settled ? this->leave() : this->step();
       if (!next)
       {
@@ -136,10 +147,20 @@ private:
   Candidate step()
   {
     const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
-    const bool damped = this->Options.method == Method::LevenbergMarquardt;
-    if (Candidate next = damped ? this->damped_step(settings) : this->shortened(this->limited(this->descending(this->Propose(this->Current, settings), settings))))
+    if (!this->Slow)
     {
-      return next;
+      const bool damped = this->Options.method == Method::LevenbergMarquardt;
+      if (Candidate next = damped ? this->damped_step(settings) : this->proposed_step(settings))
+      {
+        return next;
+      }
+    }
+    if (this->Slow || this->Options.method != Method::Newton)
+    {
+      if (Candidate next = this->newton_step(settings))
+      {
+        return next;
+      }
     }
     if (N == 2 && this->Options.isocurve_fallback)
     {
@@ -149,6 +170,18 @@ private:
       }
     }
     return this->shortened(this->limited(this->steepest(settings)));
+  }
+
+  Candidate proposed_step(const StepSettings<N>& settings)
+  {
+    const Parameter<N> step = this->Propose(this->Current, settings);
+    return this->shortened(this->limited(this->descending(step, settings)));
+  }
+
+  Candidate newton_step(const StepSettings<N>& settings)
+  {
+    return this->shortened(this->limited(
+      solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
   }
 
   /// −scale² g: steepest descent in scaled parameters.
@@ -223,7 +256,8 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
-    return won >= -noise && this->Conditions.residuals(frame).maxCoeff() <
+    return won >= -noise &&
+      this->Conditions.residuals(frame, this->Current.speed).maxCoeff() <
       0.9 * this->Conditions.residuals(this->Current).maxCoeff();
   }
 
@@ -278,8 +312,7 @@ private:
       {
         single.free(k) = settings.free(k) && k == i;
       }
-      if (Candidate next = this->shortened(this->limited(
-            solve_scaled<N>(this->Current.hessian(), this->Current.gradient, single))))
+      if (Candidate next = this->newton_step(single))
       {
         return next;
       }
@@ -554,6 +587,8 @@ private:
   int PoleRestarts = 0;
   double Lambda = 0.0;
   double LastStep = 0.0;
+  double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
+  bool Slow = false;
 };
 
 } // namespace
