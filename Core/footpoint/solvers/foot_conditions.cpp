@@ -52,9 +52,25 @@ double FootConditions<N>::tolerance(const Frame<N>& frame) const
 }
 
 template <int N>
-double FootConditions<N>::floor(const Frame<N>& frame) const
+double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 {
-  return std::max(this->tolerance(frame), kResidualFloor * (this->Geometry.size() + frame.distance));
+  const Direction& direction = this->Geometry.direction(i);
+  const double size = this->Geometry.size();
+  const double speed = std::max(frame.speed(i), kStalledSpeed * direction.speed) * direction.length;
+  const double cancelled = speed > 0.0 ? std::max(1.0, size / speed) : 1.0;
+  return std::max(this->tolerance(frame), kResidualFloor * (size + cancelled * frame.distance));
+}
+
+template <int N>
+bool FootConditions<N>::slopes(const Frame<N>& frame) const
+{
+  const Parameter<N> residuals = this->residuals(frame);
+  bool result = false;
+  for (int i = 0; i < N; ++i)
+  {
+    result = result || residuals(i) > this->floor(frame, i);
+  }
+  return result;
 }
 
 template <int N>
@@ -84,7 +100,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   {
     for (int i = 0; i < N; ++i)
     {
-      if (std::abs(side.gradient(i)) > this->floor(side) * side.speed(i))
+      if (std::abs(side.gradient(i)) > this->floor(side, i) * side.speed(i))
       {
         return false;
       }
