@@ -46,7 +46,9 @@ public:
 
   double bound(const PatchQuery& query) const override
   {
-    return this->Cells.empty() ? 0.0 : this->cell_bound(this->local(query.point), query)(this->Cells.box());
+    return this->Cells.empty()
+      ? 0.0
+      : this->cell_bound(this->local(query.point), query)(this->Cells.box());
   }
 
   void search(const PatchQuery& query, const std::function<double()>& limit,
@@ -54,9 +56,12 @@ public:
   {
     switch (query.sought)
     {
-      case Sought::Minimum: return this->minima(query, limit, found);
-      case Sought::Orthogonal: return this->orthogonal_feet(query, limit, found);
-      case Sought::Intersection: return this->intersections(query, limit, found);
+      case Sought::Minimum:
+        return this->minima(query, limit, found);
+      case Sought::Orthogonal:
+        return this->orthogonal_feet(query, limit, found);
+      case Sought::Intersection:
+        return this->intersections(query, limit, found);
     }
   }
 
@@ -80,18 +85,36 @@ public:
 
   double size() const override { return this->Geometry.size(); }
 
-  bool same(const PatchFoot& a, const PatchFoot& b) const override
-  {
-    return !this->lower(a, b) && !this->lower(b, a);
-  }
+  bool same(const PatchFoot& a, const PatchFoot& b) const override;
 
   bool lower(const PatchFoot& a, const PatchFoot& b) const override
   {
-    return is_lower_parameter<N>(a.local.head<N>(), b.local.head<N>(), this->Geometry);
+    const Parameter<N> at_a = a.local.head<N>();
+    const Parameter<N> at_b = b.local.head<N>();
+    if (is_lower_parameter<N>(at_a, at_b, this->Geometry))
+    {
+      return true;
+    }
+    return !is_lower_parameter<N>(at_b, at_a, this->Geometry) && this->is_left_of_gap(a, b);
   }
 
 private:
   Vector3 local(const Vector3& point) const { return point - this->Geometry.centre(); }
+
+  /// Whether two feet with the same parameter lie on two sides of a gap, a on the left one.
+  bool is_left_of_gap(const PatchFoot& a, const PatchFoot& b) const
+  {
+    const bool apart = (a.offset - b.offset).norm() > kSamePoint * this->Geometry.size();
+    bool left = false;
+    for (int i = N - 1; i >= 0 && apart; --i)
+    {
+      if (a.local(i) == b.local(i) && a.sides(i) != b.sides(i))
+      {
+        left = a.sides(i) == Side::Left;
+      }
+    }
+    return left;
+  }
 
   std::function<double(const Box&)> cell_bound(const Vector3& query, const PatchQuery& asked) const
   {
@@ -223,8 +246,32 @@ private:
   SeededSearch<N> Dense;
 };
 
-/// Where E is flat to second order along a direction, a descent is started a little way off on either
-/// side: on a continuum it stays there, at an isolated minimum it comes back (or ends farther away).
+template <int N>
+bool PatchSearchOf<N>::same(const PatchFoot& a, const PatchFoot& b) const
+{
+  const double apart = (a.offset - b.offset).norm();
+  // A pole has many parameters, and a gap one parameter for two points.
+  const bool poles = a.type == FootType::Degenerate && b.type == FootType::Degenerate;
+  if (poles && apart <= kSamePoint * this->Geometry.size())
+  {
+    return true;
+  }
+  for (int i = 0; i < N; ++i)
+  {
+    const Direction& direction = this->Geometry.direction(i);
+    const double difference = std::abs(a.local(i) - b.local(i));
+    const double across = direction.closed ? direction.length - difference : difference;
+    if (std::min(difference, across) > kSameParameter * direction.length)
+    {
+      return false;
+    }
+  }
+  return !this->is_left_of_gap(a, b) && !this->is_left_of_gap(b, a);
+}
+
+/// Where E is flat to second order along a direction, a descent is started a little way off on
+/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
+/// farther away).
 template <int N>
 bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
 {

@@ -53,18 +53,25 @@ double FootConditions<N>::tolerance(const Frame<N>& frame) const
 }
 
 template <int N>
-double FootConditions<N>::floor(const Frame<N>& frame) const
+double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 {
-  // The rounding of S_i is a part of the mean speed, and counts the more where S_i itself is small.
-  double slowness = 1.0;
+  const Direction& direction = this->Geometry.direction(i);
+  const double size = this->Geometry.size();
+  const double speed = std::max(frame.speed(i), kStalledSpeed * direction.speed) * direction.length;
+  const double cancelled = speed > 0.0 ? std::max(1.0, size / speed) : 1.0;
+  return std::max(this->tolerance(frame), kResidualFloor * (size + cancelled * frame.distance));
+}
+
+template <int N>
+bool FootConditions<N>::slopes(const Frame<N>& frame) const
+{
+  const Parameter<N> residuals = this->residuals(frame);
+  bool result = false;
   for (int i = 0; i < N; ++i)
   {
-    const double mean = this->Geometry.direction(i).speed;
-    const double speed = std::max(frame.speed(i), kStalledSpeed * mean);
-    slowness = speed > 0.0 ? std::max(slowness, kSpeedFloor * mean / speed) : slowness;
+    result = result || residuals(i) > this->floor(frame, i);
   }
-  return std::max(
-    this->tolerance(frame), slowness * kResidualFloor * (this->Geometry.size() + frame.distance));
+  return result;
 }
 
 template <int N>
@@ -94,7 +101,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   {
     for (int i = 0; i < N; ++i)
     {
-      if (std::abs(side.gradient(i)) > this->floor(side) * side.speed(i))
+      if (std::abs(side.gradient(i)) > this->floor(side, i) * side.speed(i))
       {
         return false;
       }

@@ -4,20 +4,34 @@
 #include "footpoint/solvers/domain_walk.h"
 #include "footpoint/solvers/local_solver.h"
 
+#include <cmath>
+
 namespace footpoint
 {
 
 /// |S_i| below this part of the direction's mean speed counts as standing still: a pole, a cusp.
 constexpr double kStalledSpeed = 1e-7;
 
-/// Rounding of the tangential residual r·S_i/|S_i|, as a fraction of the size: a thousand roundings,
-/// for knot spans a thousandth of the domain long. Where no step helps any more, a residual below it
-/// (or below the tolerances) still counts as zero.
+/// Rounding of the tangential residual r·S_i/|S_i|, as a fraction of the size: a thousand
+/// roundings, for knot spans a thousandth of the domain long; more where |S_i| is small beside size
+/// / domain, since S_i is a difference of positions. Where no step helps any more, a residual below
+/// it (or below the tolerances) still counts as zero.
 constexpr double kResidualFloor = 1e-13;
 
-/// Below this part of the mean speed the rounding of S_i, relative to S_i, is more than the thousand
-/// roundings of kResidualFloor.
-constexpr double kSpeedFloor = 1e-3;
+/// A Newton step that moves a parameter by more than this part of the domain leaves the place of a
+/// foot unsure.
+constexpr double kPlaceTolerance = 1e-12;
+
+template <int N>
+bool is_noticeable(const Parameter<N>& step, const ParametricGeometry<N>& geometry)
+{
+  bool noticeable = false;
+  for (int i = 0; i < N; ++i)
+  {
+    noticeable = noticeable || std::abs(step(i)) > kPlaceTolerance * geometry.direction(i).length;
+  }
+  return noticeable;
+}
 
 /// The conditions of Karush, Kuhn and Tucker for the nearest point on one smooth piece.
 template <int N>
@@ -39,8 +53,10 @@ public:
 
   /// What the residual of a frame has to stay below.
   double tolerance(const Frame<N>& frame) const;
-  /// The same where only rounding is left.
-  double floor(const Frame<N>& frame) const;
+  /// The same in one direction where only rounding is left.
+  double floor(const Frame<N>& frame, int i) const;
+  /// Whether the residuals are above their floors in some free direction.
+  bool slopes(const Frame<N>& frame) const;
 
   bool stalled(const Frame<N>& frame, int i) const;
 

@@ -29,9 +29,12 @@ constexpr int kBacktracks = 30;
 /// centre of curvature.
 constexpr int kPatience = 10;
 
-/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative says
-/// nothing, so that finite steps have to tell a minimum from a saddle.
+/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative
+/// says nothing, so that finite steps have to tell a minimum from a saddle.
 constexpr double kFlatEigenvalue = 1e-6;
+
+/// A step that is longer in space than this part of the size is no refinement of a flat minimum.
+constexpr double kSharpening = 1e-3;
 
 /// Starts again from another column of a collapsed side, at the most.
 constexpr int kPoleRestarts = 4;
@@ -66,6 +69,8 @@ private:
   /// What ends a search for a lower point: the frame found, or nothing.
   using Candidate = std::optional<Frame<N>>;
 
+  using Curvatures = Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix>;
+
   Frame<N> frame_at(const Place& place) const
   {
     return make_frame<N>(this->Geometry, this->Query, place.t, place.sides, this->Order);
@@ -76,8 +81,7 @@ private:
   /// Rounding of E = ½|r|², from eight roundings of each coordinate.
   double energy_noise() const
   {
-    const double error =
-      8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
+    const double error = 8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
     return error * (this->Current.distance + error);
   }
 
@@ -187,7 +191,8 @@ private:
   /// −scale² g: steepest descent in scaled parameters.
   Parameter<N> steepest(const StepSettings<N>& settings) const
   {
-    Parameter<N> step = -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
+    Parameter<N> step =
+      -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
     for (int i = 0; i < N; ++i)
     {
       step(i) = settings.free(i) ? step(i) : 0.0;
@@ -287,8 +292,8 @@ private:
       this->LastStep = (this->Current.jet.first * step).norm();
       Parameter<N> moved;
       const Frame<N> frame = this->arrive(step, moved);
-      const double predicted = -this->Current.gradient.dot(moved) -
-        0.5 * moved.dot(this->Current.metric() * moved);
+      const double predicted =
+        -this->Current.gradient.dot(moved) - 0.5 * moved.dot(this->Current.metric() * moved);
       const double actual = this->Current.energy() - frame.energy();
       const bool good = actual > 0.25 * predicted;
       const bool accepted = this->accepts(frame, moved);
@@ -323,7 +328,7 @@ private:
   // === A stationary point that is no minimum ===
 
   /// A way on from a frame that meets the conditions on its own piece: over a border, out of a
-  /// saddle, or along a collapsed side.
+  /// saddle, along a collapsed side, or to the middle of a flat minimum.
   Candidate leave()
   {
     if (Candidate next = this->cross_border())
@@ -334,7 +339,13 @@ private:
     {
       return next;
     }
-    return this->escape_saddle();
+    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
+    const Curvatures curvatures = this->curvatures(settings);
+    if (Candidate next = this->escape_saddle(settings, curvatures))
+    {
+      return next;
+    }
+    return this->sharpen(settings, curvatures);
   }
 
   /// The neighbouring piece in which the descent is steepest, if any.
@@ -346,12 +357,10 @@ private:
     {
       const Frame<N> frame = this->frame_at(neighbour);
       const double residual = this->Conditions.residuals(frame).maxCoeff();
-      const bool continues = std::abs(frame.energy() - this->Current.energy()) <= this->seam_noise();
-      if (this->lower(frame) && !continues)
-      {
-        return frame; // the near side of a gap
-      }
-      if (continues && residual > this->Conditions.floor(frame) && residual > rate && this->descends(frame))
+      // The other side of a gap is another point, and a minimum of its own.
+      const bool continues =
+        (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
+      if (continues && this->Conditions.slopes(frame) && residual > rate && this->descends(frame))
       {
         rate = residual;
         steepest = frame;
@@ -360,15 +369,9 @@ private:
     return steepest;
   }
 
-  /// What E may differ by over a seam that closes to kClosureTolerance.
-  double seam_noise() const
-  {
-    return kClosureTolerance * this->Geometry.size() * this->Current.distance + this->energy_noise();
-  }
-
   /// Whether a step into the piece of a frame that lies where the current one does leads down: a
   /// residual alone may be the rounding of a seam, and would be handed to and fro.
-  bool descends(const Frame<N>& frame)  const
+  bool descends(const Frame<N>& frame) const
   {
     Descent ahead(this->Geometry, this->Query, this->Options, this->Propose);
     ahead.Current = frame;
@@ -406,7 +409,7 @@ private:
     // Eight columns a span, and no fewer than 32 in all: a pole of revolution has four spans.
     const int per_span = std::max<int>(8, 32 / static_cast<int>(spans.size() - 1));
     Candidate best;
-    double rate = this->Conditions.floor(this->Current);
+    double rate = this->Conditions.floor(this->Current, across);
     for (std::size_t k = 0; k + 1 < spans.size(); ++k)
     {
       for (int j = 0; j < per_span; ++j)
@@ -426,10 +429,9 @@ private:
     return best && this->descends(*best) ? best : Candidate{};
   }
 
-  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
-  Candidate escape_saddle()
+  /// Principal curvatures of E over the free directions, in scaled parameters; held ones count 1.
+  Curvatures curvatures(const StepSettings<N>& settings) const
   {
-    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
     typename Frame<N>::Matrix scaled =
       settings.scale.asDiagonal() * this->Current.hessian() * settings.scale.asDiagonal();
     for (int i = 0; i < N; ++i)
@@ -441,15 +443,21 @@ private:
         scaled(i, i) = 1.0;
       }
     }
-    Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix> eigen;
-    eigen.computeDirect(scaled);
+    Curvatures result;
+    result.computeDirect(scaled);
+    return result;
+  }
+
+  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
+  Candidate escape_saddle(const StepSettings<N>& settings, const Curvatures& curvatures) const
+  {
     for (int k = 0; k < N; ++k)
     {
-      if (eigen.eigenvalues()(k) >= kFlatEigenvalue)
+      if (curvatures.eigenvalues()(k) >= kFlatEigenvalue)
       {
         continue;
       }
-      const Parameter<N> direction = settings.scale.cwiseProduct(eigen.eigenvectors().col(k));
+      const Parameter<N> direction = settings.scale.cwiseProduct(curvatures.eigenvectors().col(k));
       if (Candidate next = this->probe(direction))
       {
         return next;
@@ -466,6 +474,53 @@ private:
       }
     }
     return {};
+  }
+
+  /// Where E is flat the residual vanishes long before the place is found, and a Newton step leads
+  /// only 1/m of the way to a root of multiplicity m of the gradient (E. Schröder 1870): m times
+  /// the step is tried, with one step more to get back to the bottom of a bent valley.
+  Candidate sharpen(const StepSettings<N>& settings, const Curvatures& curvatures) const
+  {
+    Parameter<N> sure = Parameter<N>::Zero();
+    Parameter<N> unsure = Parameter<N>::Zero();
+    for (int k = 0; k < N; ++k)
+    {
+      const Parameter<N> direction = settings.scale.cwiseProduct(curvatures.eigenvectors().col(k));
+      const double slope = settings.free.select(direction, 0.0).dot(this->Current.gradient);
+      const double curvature = std::abs(curvatures.eigenvalues()(k));
+      const Parameter<N> step =
+        curvature > 0.0 ? Parameter<N>(-slope / curvature * direction) : Parameter<N>::Zero();
+      (is_noticeable<N>(step, this->Geometry) ? unsure : sure) += step;
+    }
+    const bool far =
+      (this->Current.jet.first * unsure).norm() > kSharpening * this->Geometry.size();
+    Candidate best;
+    if (unsure.isZero() || far)
+    {
+      return best;
+    }
+    double least = 0.1 * this->Conditions.residuals(this->Current).maxCoeff();
+    const double highest = this->Current.energy() + this->energy_noise();
+    auto look_at = [&](const Frame<N>& frame)
+    {
+      const double residual = this->Conditions.residuals(frame).maxCoeff();
+      if (residual <= least && frame.energy() <= highest)
+      {
+        least = residual;
+        best = frame;
+      }
+    };
+    for (const double multiplicity : { 1.0, 3.0, 5.0 })
+    {
+      Descent ahead = *this;
+      Parameter<N> moved;
+      ahead.Current = this->arrive(sure + multiplicity * unsure, moved);
+      look_at(ahead.Current);
+      const StepSettings<N> there = ahead.settings(this->Conditions.free(ahead.Current));
+      look_at(ahead.arrive(
+        solve_scaled<N>(ahead.Current.hessian(), ahead.Current.gradient, there), moved));
+    }
+    return best;
   }
 
   /// The lower of the ends of ever shorter steps forth and back; equal ones: back.
@@ -507,7 +562,8 @@ private:
         termination = Termination::PointCoincidence;
         break;
       }
-      if (this->Conditions.residuals(this->Current).maxCoeff() <= this->Options.cosine_tolerance * this->Current.distance)
+      if (this->Conditions.residuals(this->Current).maxCoeff() <=
+        this->Options.cosine_tolerance * this->Current.distance)
       {
         termination = Termination::ZeroCosine;
         break;
@@ -543,7 +599,8 @@ private:
         std::abs(moved(i)) < this->Options.parameter_tolerance * this->Geometry.direction(i).length;
     }
     return by_parameter ||
-      (this->Current.jet.first * moved).norm() <= this->Options.step_tolerance * this->Geometry.size();
+      (this->Current.jet.first * moved).norm() <=
+      this->Options.step_tolerance * this->Geometry.size();
   }
 
   // === The result ===
@@ -560,8 +617,7 @@ private:
     foot.termination = termination;
     const bool coincides = termination == Termination::PointCoincidence;
     const bool can_end = termination != Termination::IterationLimit;
-    foot.converged =
-      coincides || (can_end && foot.residual <= this->Conditions.floor(this->Current));
+    foot.converged = coincides || (can_end && !this->Conditions.slopes(this->Current));
     foot.type = this->Conditions.classify(this->Current, this->Query);
     // One point, two parameters: a seam is reported at the start of its direction.
     for (int i = 0; i < N; ++i)
