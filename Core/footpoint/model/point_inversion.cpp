@@ -236,18 +236,23 @@ std::vector<Candidate> PointInverter::Implementation::every(
       query, [limit] { return limit; },
       [&](const PatchFoot& foot)
       {
-        const Candidate candidate{ k, foot };
-        auto known = std::find_if(kept.begin(), kept.end(),
-          [&](const Candidate& other) { return this->same(candidate, other); });
         if (!foot.converged || foot.distance > limit)
         {
           return;
         }
+        const Candidate candidate{ k, foot };
+        auto known = std::find_if(kept.begin(), kept.end(),
+          [&](const Candidate& other)
+          {
+            return this->same(candidate, other) ||
+              (!lines && other.patch == k &&
+                this->Patches[k].search->level(point, foot, other.foot));
+          });
         if (known == kept.end())
         {
           kept.push_back(candidate);
         }
-        else if (foot.distance < known->foot.distance)
+        else if (this->better(candidate, *known))
         {
           *known = candidate;
         }

@@ -36,6 +36,10 @@ constexpr double kFlatEigenvalue = 1e-6;
 /// A step that is longer in space than this part of the size is no refinement of a flat minimum.
 constexpr double kSharpening = 1e-3;
 
+/// Cosine between r and S_i below which a border does not hold a foot that can leave it by a finite
+/// step: what a step along such a slope wins is less than the rounding of E.
+constexpr double kFlatSlope = 1e-6;
+
 /// Starts again from another column of a collapsed side, at the most.
 constexpr int kPoleRestarts = 4;
 
@@ -339,13 +343,13 @@ private:
     {
       return next;
     }
-    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
-    const Curvatures curvatures = this->curvatures(settings);
-    if (Candidate next = this->escape_saddle(settings, curvatures))
+    const StepSettings<N> nearly = this->settings(this->nearly_free());
+    if (Candidate next = this->escape_saddle(nearly, this->curvatures(nearly)))
     {
       return next;
     }
-    return this->sharpen(settings, curvatures);
+    const StepSettings<N> free = this->settings(this->Conditions.free(this->Current));
+    return this->sharpen(free, this->curvatures(free));
   }
 
   /// The neighbouring piece in which the descent is steepest, if any.
@@ -427,6 +431,20 @@ private:
       }
     }
     return best && this->descends(*best) ? best : Candidate{};
+  }
+
+  /// The free directions and those in which next to nothing presses against a border: there, too, E
+  /// may curve downwards (a saddle on a knot line, and a point beside one).
+  Eigen::Matrix<bool, N, 1> nearly_free() const
+  {
+    Eigen::Matrix<bool, N, 1> result = this->Conditions.free(this->Current);
+    const double flat = kFlatSlope * this->Current.distance;
+    for (int i = 0; i < N; ++i)
+    {
+      const double slope = std::abs(this->Current.gradient(i));
+      result(i) = result(i) || slope <= flat * this->Current.speed(i);
+    }
+    return result;
   }
 
   /// Principal curvatures of E over the free directions, in scaled parameters; held ones count 1.

@@ -87,7 +87,7 @@ def _converted(option, value, present):
             return float(value)
         return value
     except TypeError:
-        kind = "a tuple of numbers" if isinstance(present, tuple) else type(present).__name__
+        kind = "sequence of numbers" if isinstance(present, tuple) else type(present).__name__
         raise TypeError(f"{option} = {value!r} is no {kind}") from None
 
 
