@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""invert() against closed forms: circle, sphere, torus, bilinear patch, models, parametric functions."""
+"""invert() against closed forms: circle, sphere, torus, bilinear patch, parabola; its inputs."""
 
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 import footpoint
 from footpoint import FootType, Status
+from footpoint._pipeline import as_numbers, to_vtk
 from shapes import bilinear, circle, parabola, random_points, sphere, square, torus
 
 close = np.testing.assert_allclose
@@ -109,6 +111,13 @@ class Inputs(unittest.TestCase):
         equal(single.closest_points, expected.closest_points)
         equal(footpoint.invert(np.array([[2, 3, 1]]), square()).closest_points, [[1, 1, 0]])
         equal(footpoint.invert(points[:, :2], square()).distance, 0)
+
+    def test_no_copies(self):
+        for dtype in (np.float32, np.float64):
+            points = np.ones((5, 3), dtype)
+            self.assertTrue(np.shares_memory(vtk_to_numpy(to_vtk(as_numbers(points, ""))), points))
+        parameters = footpoint.invert(points, square()).parameters
+        self.assertFalse(parameters.flags.owndata, "a view of VTK's memory")
 
     def test_input_is_left_alone_and_results_outlive_it(self):
         points = random_points(50)
