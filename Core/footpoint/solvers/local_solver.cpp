@@ -332,6 +332,8 @@ private:
   /// One Newton step along u, then one along v.
   Candidate isocurve_step(const StepSettings<N>& settings)
   {
+    const Frame<N> start = this->Current;
+    Candidate reached;
     for (int i = 0; i < N; ++i)
     {
       StepSettings<N> single = settings;
@@ -341,10 +343,12 @@ private:
       }
       if (Candidate next = this->newton_step(single))
       {
-        return next;
+        reached = next;
+        this->Current = *next;
       }
     }
-    return {};
+    this->Current = start;
+    return reached;
   }
 
   // === A stationary point that is no minimum ===
