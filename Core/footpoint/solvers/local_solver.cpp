@@ -20,9 +20,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// A step has to win this part of what the gradient promises (L. Armijo 1966).
 constexpr double kSufficientDecrease = 1e-4;
 
-/// Halvings (or fourfold dampings) of one step before the fall-backs are tried: for a query a million
-/// sizes away a step without curvature is a million times too long.
-constexpr int kBacktracks = 30;
+/// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
+constexpr int kBacktracks = 12;
 
 /// A method that has not brought the residual down to a hundredth in so many iterations hands over to
 /// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
@@ -136,9 +135,30 @@ private:
       {
         return this->finish(Termination::IterationLimit);
       }
+      const bool short_step = !settled && this->step_is_small() && !this->stalled();
       this->Current = *next;
       ++this->Iterations;
+      if (short_step)
+      {
+        return this->finish(Termination::SmallStep);
+      }
     }
+  }
+
+  bool step_is_small() const
+  {
+    return this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
+  }
+
+  /// Where the parametrization stands still a short way in space may be a long one in parameters.
+  bool stalled() const
+  {
+    bool any = false;
+    for (int i = 0; i < N; ++i)
+    {
+      any = any || this->Conditions.stalled(this->Current, i);
+    }
+    return any;
   }
 
   LocalFoot<N> settle_or_stagnate(bool settled)
@@ -147,8 +167,8 @@ private:
     {
       return this->finish(Termination::ZeroCosine);
     }
-    const bool small = this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
-    return this->finish(small ? Termination::SmallStep : Termination::Stagnation);
+    return this->finish(
+      this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
   }
 
   /// A lower point reached by the method's step or, where that is rejected, by its fall-backs.
@@ -230,8 +250,10 @@ private:
     double factor = length > radius ? radius / length : 1.0;
     for (int i = 0; i < N; ++i)
     {
-      const double whole = this->Geometry.direction(i).length;
-      factor = std::min(factor, std::abs(step(i)) > whole ? whole / std::abs(step(i)) : 1.0);
+      // Half a period at the most: a whole one would lead back to where it started.
+      const Direction& direction = this->Geometry.direction(i);
+      const double longest = direction.closed ? 0.5 * direction.length : direction.length;
+      factor = std::min(factor, std::abs(step(i)) > longest ? longest / std::abs(step(i)) : 1.0);
     }
     return factor * step;
   }
@@ -314,6 +336,8 @@ private:
   /// One Newton step along u, then one along v.
   Candidate isocurve_step(const StepSettings<N>& settings)
   {
+    const Frame<N> start = this->Current;
+    Candidate reached;
     for (int i = 0; i < N; ++i)
     {
       StepSettings<N> single = settings;
@@ -323,10 +347,12 @@ private:
       }
       if (Candidate next = this->newton_step(single))
       {
-        return next;
+        reached = next;
+        this->Current = *next;
       }
     }
-    return {};
+    this->Current = start;
+    return reached;
   }
 
   // === A stationary point that is no minimum ===
