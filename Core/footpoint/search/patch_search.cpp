@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 
 namespace footpoint
 {
@@ -21,6 +22,8 @@ constexpr SeedOptions kDenseSeeds{ 31, 16 };
 /// A line meets the geometry where it passes closer than this fraction of the size: the square root
 /// of rounding would be the limit where it only grazes, a transversal meeting is exact.
 constexpr double kMeets = 1e-10;
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 /// Scaled eigenvalue of the Hessian below which a foot may be one of a continuum, how far off (as a
 /// fraction of the size) another one is looked for, and how equal its distance has to be.
@@ -138,16 +141,17 @@ private:
     };
   }
 
-  /// The starts that a query is worth: the given one, then cells or samples by their bound.
+  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit also gets
+  /// the diagonal of what the start stands for, infinity where that is not known.
   void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
-    const std::function<void(const Parameter<N>&)>& visit) const
+    const std::function<void(const Parameter<N>&, double)>& visit) const
   {
     const Vector3 at = this->local(query.point);
     const Parameter<N> given = this->Geometry.to_local(query.start.head<N>());
     const bool has_start = given.allFinite();
     if (has_start)
     {
-      visit(given);
+      visit(given, kUnknown);
     }
     if (query.search == Search::Local && has_start)
     {
@@ -165,7 +169,7 @@ private:
       // Maxima and intersections need not be near a sampled minimum.
       for (Eigen::Index k = 0; k < seeds.number_of_samples(); ++k)
       {
-        visit(seeds.parameter(k));
+        visit(seeds.parameter(k), kUnknown);
       }
       return;
     }
@@ -174,8 +178,20 @@ private:
       : (dense ? kDenseSeeds.number_of_seeds : this->Seeding.number_of_seeds);
     for (const Parameter<N>& seed : seeds.seeds(at, count))
     {
-      visit(seed);
+      visit(seed, kUnknown);
     }
+  }
+
+  /// The solver's options with steps no longer than a start is near: a descent is to find the minimum of its
+  /// own neighbourhood, others have starts of their own.
+  SolverOptions nearby(double reach) const
+  {
+    SolverOptions result = this->Solver;
+    if (this->Geometry.size() > 0.0)
+    {
+      result.trust_radius = std::min(result.trust_radius, reach / this->Geometry.size());
+    }
+    return result;
   }
 
   PatchFoot lift(const Vector3& point, const LocalFoot<N>& foot) const
@@ -198,8 +214,11 @@ private:
   {
     const Vector3 at = this->local(query.point);
     this->for_each_start(query, limit,
-      [&](const Parameter<N>& start)
-      { found(this->lift(query.point, this->Seeds.find_from(at, start, this->Solver))); });
+      [&](const Parameter<N>& start, double reach)
+      {
+        const SolverOptions solver = this->nearby(reach);
+        found(this->lift(query.point, this->Seeds.find_from(at, start, solver)));
+      });
   }
 
   void orthogonal_feet(const PatchQuery& query, const std::function<double()>& limit,
@@ -207,9 +226,9 @@ private:
   {
     const Vector3 at = this->local(query.point);
     this->for_each_start(query, limit,
-      [&](const Parameter<N>& start)
+      [&](const Parameter<N>& start, double reach)
       {
-        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->Solver);
+        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->nearby(reach));
         if (is_orthogonal<N>(this->Geometry, at, minimum, this->Solver))
         {
           found(this->lift(query.point, minimum));
@@ -229,9 +248,9 @@ private:
     const double meets = kMeets * this->Geometry.size();
     this->for_each_start(
       query, [meets] { return meets; },
-      [&](const Parameter<N>& start)
+      [&](const Parameter<N>& start, double reach)
       {
-        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->Solver);
+        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->nearby(reach));
         if (foot.distance > meets)
         {
           return;

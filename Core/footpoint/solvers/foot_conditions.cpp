@@ -57,9 +57,17 @@ double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 {
   const Direction& direction = this->Geometry.direction(i);
   const double size = this->Geometry.size();
-  const double speed = std::max(frame.speed(i), kStalledSpeed * direction.speed) * direction.length;
-  const double cancelled = speed > 0.0 ? std::max(1.0, size / speed) : 1.0;
-  return std::max(this->tolerance(frame), kResidualFloor * (size + cancelled * frame.distance));
+  const double speed = std::max(frame.speed(i), kStalledSpeed * direction.speed);
+  if (speed == 0.0)
+  {
+    return this->tolerance(frame);
+  }
+  const double cancelled = std::max(1.0, size / (speed * direction.length));
+  const double bend = std::abs(frame.r.dot(frame.jet.second.col(i == 0 ? 0 : 2)));
+  const double placed =
+    kPlaceRounding * direction.length * (frame.speed(i) * frame.speed(i) + bend) / speed;
+  return std::max(
+    { this->tolerance(frame), kResidualFloor * (size + cancelled * frame.distance), placed });
 }
 
 template <int N>
@@ -112,7 +120,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   for (const auto& neighbour : this->Walk.neighbours(place))
   {
     smooth =
-      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides, 1));
+      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides));
   }
   return smooth ? FootType::Interior : FootType::Kink;
 }

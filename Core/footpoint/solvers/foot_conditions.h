@@ -18,6 +18,10 @@ constexpr double kStalledSpeed = 1e-7;
 /// it (or below the tolerances) still counts as zero.
 constexpr double kResidualFloor = 1e-13;
 
+/// Rounding of a parameter, a few times over, as a fraction of the domain: where S_i changes fast, one step
+/// of it moves the residual by more than kResidualFloor.
+constexpr double kPlaceRounding = 1e-15;
+
 /// A Newton step that moves a parameter by more than this part of the domain leaves the place of a
 /// foot unsure.
 constexpr double kPlaceTolerance = 1e-12;
@@ -53,7 +57,7 @@ public:
 
   /// What the residual of a frame has to stay below.
   double tolerance(const Frame<N>& frame) const;
-  /// The same in one direction where only rounding is left.
+  /// The same in one direction where only rounding is left. \pre the frame has second derivatives
   double floor(const Frame<N>& frame, int i) const;
   /// Whether the residuals are above their floors in some free direction.
   bool slopes(const Frame<N>& frame) const;

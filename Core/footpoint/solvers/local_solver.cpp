@@ -258,7 +258,8 @@ private:
     return factor * step;
   }
 
-  /// The better of the full step and, where it crosses a border of the piece, the border itself.
+  /// The full step; or, where that crosses a border of the piece, the border itself if it is lower or if
+  /// from there the way down leads back into the piece: then the minimum sought lies inside.
   Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const
   {
     const auto move = this->Conditions.walk().move(this->place(), step);
@@ -268,13 +269,27 @@ private:
     {
       const auto stop = this->Conditions.walk().move_to_border(this->place(), step);
       const Frame<N> border = this->frame_at(stop.place);
-      if (border.energy() < frame.energy())
+      if (border.energy() < frame.energy() || this->turns_back(border, stop.moved))
       {
         frame = border;
         moved = stop.moved;
       }
     }
     return frame;
+  }
+
+  /// Whether from a border that was walked to, the way down leads back.
+  bool turns_back(const Frame<N>& border, const Parameter<N>& moved) const
+  {
+    const Place place{ border.t, border.sides };
+    bool back = false;
+    for (int i = 0; i < N; ++i)
+    {
+      const bool up = moved(i) > 0.0 && this->Conditions.walk().at_upper_border(place, i);
+      const bool down = moved(i) < 0.0 && this->Conditions.walk().at_lower_border(place, i);
+      back = back || (up && border.gradient(i) > 0.0) || (down && border.gradient(i) < 0.0);
+    }
+    return back;
   }
 
   /// Enough decrease; or, where E is equal to rounding, a smaller residual.
@@ -294,12 +309,14 @@ private:
 
   Candidate shortened(Parameter<N> step)
   {
+    // Speeds that change leave the trust region even where their first order does not.
+    const double reach = 2.0 * this->Options.trust_radius * this->Geometry.size();
     for (int k = 0; k < kBacktracks; ++k)
     {
       this->LastStep = (this->Current.jet.first * step).norm();
       Parameter<N> moved;
       const Frame<N> frame = this->arrive(step, moved);
-      if (this->accepts(frame, moved))
+      if ((frame.r - this->Current.r).norm() <= reach && this->accepts(frame, moved))
       {
         return frame;
       }
