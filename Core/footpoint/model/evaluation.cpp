@@ -3,6 +3,8 @@
 
 #include "footpoint/solvers/foot_conditions.h"
 
+#include <algorithm>
+
 namespace footpoint
 {
 namespace
@@ -34,19 +36,21 @@ Vector3 normal_derivative(const Jet<2>& jet, const Parameter<2>& along)
   return u.cross(jet.first.col(1)) + jet.first.col(0).cross(v);
 }
 
-/// The directions of the parameter plane that lead inside, the likeliest first.
+/// The directions of the parameter plane that lead inside, away from the nearer end (a foot at a
+/// pole may be a rounding off it); the likeliest first.
 std::array<Parameter<2>, 3> inward(const ParametricSurface& surface, const Parameter<2>& t)
 {
   std::array<Parameter<2>, 3> result;
+  std::array<bool, 2> collapsed;
   for (int i = 0; i < 2; ++i)
   {
-    const double length = surface.direction(i).length;
-    // Feet end up a rounding beside a pole: towards it would be the wrong side.
-    result[i] = Parameter<2>::Unit(i) * (t(i) > 0.5 * length ? -length : length);
+    const Direction& direction = surface.direction(i);
+    const bool upper = t(i) > 0.5 * direction.length;
+    result[i] = Parameter<2>::Unit(i) * (upper ? -direction.length : direction.length);
+    collapsed[i] = direction.collapsed[upper ? 1 : 0];
   }
   // Across a collapsed side first: along it nothing changes.
-  if ((t(1) == 0.0 && surface.direction(1).collapsed[0]) ||
-    (t(1) == surface.direction(1).length && surface.direction(1).collapsed[1]))
+  if (collapsed[1] && !collapsed[0])
   {
     std::swap(result[0], result[1]);
   }
@@ -67,20 +71,18 @@ const ParametricGeometry<N>& geometry_of(const Patch& patch)
   }
 }
 
-/// Whether a parameter lies in the domain of a patch.
+/// How far a parameter lies outside the domain of a patch, in units of that domain.
 template <int N>
-bool holds(const ParametricGeometry<N>& geometry, const Parameter<2>& parameter)
+double outside(const ParametricGeometry<N>& geometry, const Parameter<2>& parameter)
 {
+  double largest = 0.0;
   for (int i = 0; i < N; ++i)
   {
     const Direction& direction = geometry.direction(i);
     const double local = parameter(i) - direction.origin;
-    if (local < 0.0 || local > direction.length)
-    {
-      return false;
-    }
+    largest = std::max({ largest, -local / direction.length, local / direction.length - 1.0 });
   }
-  return true;
+  return largest;
 }
 
 template <int N>
@@ -119,8 +121,8 @@ Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const 
   {
     return jet.first.normalized();
   }
-  // C(t + h) − C(t) = h² C''/2 + h³ C'''/6: with rising t an odd term keeps its sign, the even one points
-  // away from the cusp on both sides and the right one is taken.
+  // C(t + h) − C(t) = h² C''/2 + h³ C'''/6: with rising t an odd term keeps its sign, the even one
+  // points away from the cusp on both sides and the right one is taken.
   const double scale = direction.speed / direction.length;
   const bool second = jet.second.norm() > kStalledSpeed * scale;
   const Vector3 leaving = second ? Vector3(jet.second) : Vector3(jet.third);
@@ -182,16 +184,12 @@ Vector3 mean_normal(const ParametricSurface& surface, const Parameter<2>& t, con
 
 Evaluation evaluate(const Face& face, const Parameter<2>& parameter)
 {
-  const Patch* patch = &face.patches.front();
-  for (const Patch& candidate : face.patches)
+  auto distance = [&parameter](const Patch& patch)
   {
-    if (candidate.curve ? holds<1>(*candidate.curve, parameter)
-                        : holds<2>(*candidate.surface, parameter))
-    {
-      patch = &candidate;
-      break;
-    }
-  }
+    return patch.curve ? outside<1>(*patch.curve, parameter) : outside<2>(*patch.surface, parameter);
+  };
+  const auto patch = std::min_element(face.patches.begin(), face.patches.end(),
+    [&](const Patch& a, const Patch& b) { return distance(a) < distance(b); });
   return patch->curve ? evaluate_patch<1>(*patch, parameter, face.reversed)
                       : evaluate_patch<2>(*patch, parameter, face.reversed);
 }

@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 
 namespace footpoint
 {
@@ -21,6 +22,8 @@ constexpr SeedOptions kDenseSeeds{ 31, 16 };
 /// A line meets the geometry where it passes closer than this fraction of the size: the square root
 /// of rounding would be the limit where it only grazes, a transversal meeting is exact.
 constexpr double kMeets = 1e-10;
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 /// Scaled eigenvalue of the Hessian below which a foot may be one of a continuum, how far off (as a
 /// fraction of the size) another one is looked for, and how equal its distance has to be.
@@ -50,7 +53,9 @@ public:
 
   double bound(const PatchQuery& query) const override
   {
-    return this->Cells.empty() ? 0.0 : this->cell_bound(this->local(query.point), query)(this->Cells.box());
+    return this->Cells.empty()
+      ? 0.0
+      : this->cell_bound(this->local(query.point), query)(this->Cells.box());
   }
 
   void search(const PatchQuery& query, const std::function<double()>& limit,
@@ -58,9 +63,12 @@ public:
   {
     switch (query.sought)
     {
-      case Sought::Minimum: return this->minima(query, limit, found);
-      case Sought::Orthogonal: return this->orthogonal_feet(query, limit, found);
-      case Sought::Intersection: return this->intersections(query, limit, found);
+      case Sought::Minimum:
+        return this->minima(query, limit, found);
+      case Sought::Orthogonal:
+        return this->orthogonal_feet(query, limit, found);
+      case Sought::Intersection:
+        return this->intersections(query, limit, found);
     }
   }
 
@@ -84,20 +92,38 @@ public:
 
   double size() const override { return this->Geometry.size(); }
 
-  bool same(const PatchFoot& a, const PatchFoot& b) const override
-  {
-    return !this->lower(a, b) && !this->lower(b, a);
-  }
+  bool same(const PatchFoot& a, const PatchFoot& b) const override;
 
   bool level(const Vector3& point, const PatchFoot& a, const PatchFoot& b) const override;
 
   bool lower(const PatchFoot& a, const PatchFoot& b) const override
   {
-    return is_lower_parameter<N>(a.local.head<N>(), b.local.head<N>(), this->Geometry);
+    const Parameter<N> at_a = a.local.head<N>();
+    const Parameter<N> at_b = b.local.head<N>();
+    if (is_lower_parameter<N>(at_a, at_b, this->Geometry))
+    {
+      return true;
+    }
+    return !is_lower_parameter<N>(at_b, at_a, this->Geometry) && this->is_left_of_gap(a, b);
   }
 
 private:
   Vector3 local(const Vector3& point) const { return point - this->Geometry.centre(); }
+
+  /// Whether two feet with the same parameter lie on two sides of a gap, a on the left one.
+  bool is_left_of_gap(const PatchFoot& a, const PatchFoot& b) const
+  {
+    const bool apart = (a.offset - b.offset).norm() > kSamePoint * this->Geometry.size();
+    bool left = false;
+    for (int i = N - 1; i >= 0 && apart; --i)
+    {
+      if (a.local(i) == b.local(i) && a.sides(i) != b.sides(i))
+      {
+        left = a.sides(i) == Side::Left;
+      }
+    }
+    return left;
+  }
 
   std::function<double(const Box&)> cell_bound(const Vector3& query, const PatchQuery& asked) const
   {
@@ -115,16 +141,17 @@ private:
     };
   }
 
-  /// The starts that a query is worth: the given one, then cells or samples by their bound.
+  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit also gets
+  /// the diagonal of what the start stands for, infinity where that is not known.
   void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
-    const std::function<void(const Parameter<N>&)>& visit) const
+    const std::function<void(const Parameter<N>&, double)>& visit) const
   {
     const Vector3 at = this->local(query.point);
     const Parameter<N> given = this->Geometry.to_local(query.start.head<N>());
     const bool has_start = given.allFinite();
     if (has_start)
     {
-      visit(given);
+      visit(given, kUnknown);
     }
     if (query.search == Search::Local && has_start)
     {
@@ -142,7 +169,7 @@ private:
       // Maxima and intersections need not be near a sampled minimum.
       for (Eigen::Index k = 0; k < seeds.number_of_samples(); ++k)
       {
-        visit(seeds.parameter(k));
+        visit(seeds.parameter(k), kUnknown);
       }
       return;
     }
@@ -151,8 +178,20 @@ private:
       : (dense ? kDenseSeeds.number_of_seeds : this->Seeding.number_of_seeds);
     for (const Parameter<N>& seed : seeds.seeds(at, count))
     {
-      visit(seed);
+      visit(seed, kUnknown);
     }
+  }
+
+  /// The solver's options with steps no longer than a start is near: a descent is to find the minimum of its
+  /// own neighbourhood, others have starts of their own.
+  SolverOptions nearby(double reach) const
+  {
+    SolverOptions result = this->Solver;
+    if (this->Geometry.size() > 0.0)
+    {
+      result.trust_radius = std::min(result.trust_radius, reach / this->Geometry.size());
+    }
+    return result;
   }
 
   PatchFoot lift(const Vector3& point, const LocalFoot<N>& foot) const
@@ -175,8 +214,11 @@ private:
   {
     const Vector3 at = this->local(query.point);
     this->for_each_start(query, limit,
-      [&](const Parameter<N>& start)
-      { found(this->lift(query.point, this->Seeds.find_from(at, start, this->Solver))); });
+      [&](const Parameter<N>& start, double reach)
+      {
+        const SolverOptions solver = this->nearby(reach);
+        found(this->lift(query.point, this->Seeds.find_from(at, start, solver)));
+      });
   }
 
   void orthogonal_feet(const PatchQuery& query, const std::function<double()>& limit,
@@ -184,9 +226,9 @@ private:
   {
     const Vector3 at = this->local(query.point);
     this->for_each_start(query, limit,
-      [&](const Parameter<N>& start)
+      [&](const Parameter<N>& start, double reach)
       {
-        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->Solver);
+        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->nearby(reach));
         if (is_orthogonal<N>(this->Geometry, at, minimum, this->Solver))
         {
           found(this->lift(query.point, minimum));
@@ -206,9 +248,9 @@ private:
     const double meets = kMeets * this->Geometry.size();
     this->for_each_start(
       query, [meets] { return meets; },
-      [&](const Parameter<N>& start)
+      [&](const Parameter<N>& start, double reach)
       {
-        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->Solver);
+        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->nearby(reach));
         if (foot.distance > meets)
         {
           return;
@@ -229,8 +271,32 @@ private:
   SeededSearch<N> Dense;
 };
 
-/// Where E is flat to second order along a direction, a descent is started a little way off on either
-/// side: on a continuum it stays there, at an isolated minimum it comes back (or ends farther away).
+template <int N>
+bool PatchSearchOf<N>::same(const PatchFoot& a, const PatchFoot& b) const
+{
+  const double apart = (a.offset - b.offset).norm();
+  // A pole has many parameters, and a gap one parameter for two points.
+  const bool poles = a.type == FootType::Degenerate && b.type == FootType::Degenerate;
+  if (poles && apart <= kSamePoint * this->Geometry.size())
+  {
+    return true;
+  }
+  for (int i = 0; i < N; ++i)
+  {
+    const Direction& direction = this->Geometry.direction(i);
+    const double difference = std::abs(a.local(i) - b.local(i));
+    const double across = direction.closed ? direction.length - difference : difference;
+    if (std::min(difference, across) > kSameParameter * direction.length)
+    {
+      return false;
+    }
+  }
+  return !this->is_left_of_gap(a, b) && !this->is_left_of_gap(b, a);
+}
+
+/// Where E is flat to second order along a direction, a descent is started a little way off on
+/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
+/// farther away).
 template <int N>
 bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
 {

@@ -30,7 +30,8 @@ Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
 }
 
 template <int N>
-Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
+Parameter<N> FootConditions<N>::residuals(
+  const Frame<N>& frame, const Parameter<N>& speeds) const
 {
   const Eigen::Matrix<bool, N, 1> free = this->free(frame);
   Parameter<N> result;
@@ -38,7 +39,7 @@ Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
   {
     // Where S_i stands still its direction is rounding, and the mean speed has to judge.
     const double slowest = kStalledSpeed * this->Geometry.direction(i).speed;
-    const double speed = std::max(frame.speed(i), slowest);
+    const double speed = std::max(speeds(i), slowest);
     result(i) = free(i) && speed > 0.0 ? std::abs(frame.gradient(i)) / speed : 0.0;
   }
   return result;
@@ -52,9 +53,33 @@ double FootConditions<N>::tolerance(const Frame<N>& frame) const
 }
 
 template <int N>
-double FootConditions<N>::floor(const Frame<N>& frame) const
+double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 {
-  return std::max(this->tolerance(frame), kResidualFloor * (this->Geometry.size() + frame.distance));
+  const Direction& direction = this->Geometry.direction(i);
+  const double size = this->Geometry.size();
+  const double speed = std::max(frame.speed(i), kStalledSpeed * direction.speed);
+  if (speed == 0.0)
+  {
+    return this->tolerance(frame);
+  }
+  const double cancelled = std::max(1.0, size / (speed * direction.length));
+  const double bend = std::abs(frame.r.dot(frame.jet.second.col(i == 0 ? 0 : 2)));
+  const double placed =
+    kPlaceRounding * direction.length * (frame.speed(i) * frame.speed(i) + bend) / speed;
+  return std::max(
+    { this->tolerance(frame), kResidualFloor * (size + cancelled * frame.distance), placed });
+}
+
+template <int N>
+bool FootConditions<N>::slopes(const Frame<N>& frame) const
+{
+  const Parameter<N> residuals = this->residuals(frame);
+  bool result = false;
+  for (int i = 0; i < N; ++i)
+  {
+    result = result || residuals(i) > this->floor(frame, i);
+  }
+  return result;
 }
 
 template <int N>
@@ -84,7 +109,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   {
     for (int i = 0; i < N; ++i)
     {
-      if (std::abs(side.gradient(i)) > this->floor(side) * side.speed(i))
+      if (std::abs(side.gradient(i)) > this->floor(side, i) * side.speed(i))
       {
         return false;
       }
@@ -95,7 +120,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   for (const auto& neighbour : this->Walk.neighbours(place))
   {
     smooth =
-      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides, 1));
+      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides));
   }
   return smooth ? FootType::Interior : FootType::Kink;
 }

@@ -23,9 +23,17 @@ constexpr double kSufficientDecrease = 1e-4;
 /// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
 constexpr int kBacktracks = 12;
 
-/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative says
-/// nothing, so that finite steps have to tell a minimum from a saddle.
+/// A method that has not brought the residual down to a hundredth in so many iterations hands over to
+/// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
+/// centre of curvature.
+constexpr int kPatience = 10;
+
+/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative
+/// says nothing, so that finite steps have to tell a minimum from a saddle.
 constexpr double kFlatEigenvalue = 1e-6;
+
+/// A step that is longer in space than this part of the size is no refinement of a flat minimum.
+constexpr double kSharpening = 1e-3;
 
 /// Cosine between r and S_i below which a border does not hold a foot that can leave it by a finite
 /// step: what a step along such a slope wins is less than the rounding of E.
@@ -64,6 +72,8 @@ private:
   /// What ends a search for a lower point: the frame found, or nothing.
   using Candidate = std::optional<Frame<N>>;
 
+  using Curvatures = Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix>;
+
   Frame<N> frame_at(const Place& place) const
   {
     return make_frame<N>(this->Geometry, this->Query, place.t, place.sides, this->Order);
@@ -74,8 +84,7 @@ private:
   /// Rounding of E = ½|r|², from eight roundings of each coordinate.
   double energy_noise() const
   {
-    const double error =
-      8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
+    const double error = 8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
     return error * (this->Current.distance + error);
   }
 
@@ -110,8 +119,13 @@ private:
       {
         return this->finish(Termination::PointCoincidence);
       }
-      const bool settled = this->Conditions.residuals(this->Current).maxCoeff() <=
-        this->Conditions.tolerance(this->Current);
+      const double residual = this->Conditions.residuals(this->Current).maxCoeff();
+      const bool settled = residual <= this->Conditions.tolerance(this->Current);
+      if (this->Iterations % kPatience == 0)
+      {
+        this->Slow = residual > 0.01 * this->Checkpoint;
+        this->Checkpoint = residual;
+      }
       Candidate next = settled ? this->leave() : this->step();
       if (!next)
       {
@@ -121,9 +135,30 @@ private:
       {
         return this->finish(Termination::IterationLimit);
       }
+      const bool short_step = !settled && this->step_is_small() && !this->stalled();
       this->Current = *next;
       ++this->Iterations;
+      if (short_step)
+      {
+        return this->finish(Termination::SmallStep);
+      }
     }
+  }
+
+  bool step_is_small() const
+  {
+    return this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
+  }
+
+  /// Where the parametrization stands still a short way in space may be a long one in parameters.
+  bool stalled() const
+  {
+    bool any = false;
+    for (int i = 0; i < N; ++i)
+    {
+      any = any || this->Conditions.stalled(this->Current, i);
+    }
+    return any;
   }
 
   LocalFoot<N> settle_or_stagnate(bool settled)
@@ -132,18 +167,28 @@ private:
     {
       return this->finish(Termination::ZeroCosine);
     }
-    const bool small = this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
-    return this->finish(small ? Termination::SmallStep : Termination::Stagnation);
+    return this->finish(
+      this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
   }
 
   /// A lower point reached by the method's step or, where that is rejected, by its fall-backs.
   Candidate step()
   {
     const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
-    const bool damped = this->Options.method == Method::LevenbergMarquardt;
-    if (Candidate next = damped ? this->damped_step(settings) : this->shortened(this->limited(this->descending(this->Propose(this->Current, settings), settings))))
+    if (!this->Slow)
     {
-      return next;
+      const bool damped = this->Options.method == Method::LevenbergMarquardt;
+      if (Candidate next = damped ? this->damped_step(settings) : this->proposed_step(settings))
+      {
+        return next;
+      }
+    }
+    if (this->Slow || this->Options.method != Method::Newton)
+    {
+      if (Candidate next = this->newton_step(settings))
+      {
+        return next;
+      }
     }
     if (N == 2 && this->Options.isocurve_fallback)
     {
@@ -155,10 +200,23 @@ private:
     return this->shortened(this->limited(this->steepest(settings)));
   }
 
+  Candidate proposed_step(const StepSettings<N>& settings)
+  {
+    const Parameter<N> step = this->Propose(this->Current, settings);
+    return this->shortened(this->limited(this->descending(step, settings)));
+  }
+
+  Candidate newton_step(const StepSettings<N>& settings)
+  {
+    return this->shortened(this->limited(
+      solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
+  }
+
   /// −scale² g: steepest descent in scaled parameters.
   Parameter<N> steepest(const StepSettings<N>& settings) const
   {
-    Parameter<N> step = -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
+    Parameter<N> step =
+      -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
     for (int i = 0; i < N; ++i)
     {
       step(i) = settings.free(i) ? step(i) : 0.0;
@@ -192,13 +250,16 @@ private:
     double factor = length > radius ? radius / length : 1.0;
     for (int i = 0; i < N; ++i)
     {
-      const double whole = this->Geometry.direction(i).length;
-      factor = std::min(factor, std::abs(step(i)) > whole ? whole / std::abs(step(i)) : 1.0);
+      // Half a period at the most: a whole one would lead back to where it started.
+      const Direction& direction = this->Geometry.direction(i);
+      const double longest = direction.closed ? 0.5 * direction.length : direction.length;
+      factor = std::min(factor, std::abs(step(i)) > longest ? longest / std::abs(step(i)) : 1.0);
     }
     return factor * step;
   }
 
-  /// The better of the full step and, where it crosses a border of the piece, the border itself.
+  /// The full step; or, where that crosses a border of the piece, the border itself if it is lower or if
+  /// from there the way down leads back into the piece: then the minimum sought lies inside.
   Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const
   {
     const auto move = this->Conditions.walk().move(this->place(), step);
@@ -208,13 +269,27 @@ private:
     {
       const auto stop = this->Conditions.walk().move_to_border(this->place(), step);
       const Frame<N> border = this->frame_at(stop.place);
-      if (border.energy() < frame.energy())
+      if (border.energy() < frame.energy() || this->turns_back(border, stop.moved))
       {
         frame = border;
         moved = stop.moved;
       }
     }
     return frame;
+  }
+
+  /// Whether from a border that was walked to, the way down leads back.
+  bool turns_back(const Frame<N>& border, const Parameter<N>& moved) const
+  {
+    const Place place{ border.t, border.sides };
+    bool back = false;
+    for (int i = 0; i < N; ++i)
+    {
+      const bool up = moved(i) > 0.0 && this->Conditions.walk().at_upper_border(place, i);
+      const bool down = moved(i) < 0.0 && this->Conditions.walk().at_lower_border(place, i);
+      back = back || (up && border.gradient(i) > 0.0) || (down && border.gradient(i) < 0.0);
+    }
+    return back;
   }
 
   /// Enough decrease; or, where E is equal to rounding, a smaller residual.
@@ -227,18 +302,21 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
-    return won >= -noise && this->Conditions.residuals(frame).maxCoeff() <
+    return won >= -noise &&
+      this->Conditions.residuals(frame, this->Current.speed).maxCoeff() <
       0.9 * this->Conditions.residuals(this->Current).maxCoeff();
   }
 
   Candidate shortened(Parameter<N> step)
   {
+    // Speeds that change leave the trust region even where their first order does not.
+    const double reach = 2.0 * this->Options.trust_radius * this->Geometry.size();
     for (int k = 0; k < kBacktracks; ++k)
     {
       this->LastStep = (this->Current.jet.first * step).norm();
       Parameter<N> moved;
       const Frame<N> frame = this->arrive(step, moved);
-      if (this->accepts(frame, moved))
+      if ((frame.r - this->Current.r).norm() <= reach && this->accepts(frame, moved))
       {
         return frame;
       }
@@ -257,8 +335,8 @@ private:
       this->LastStep = (this->Current.jet.first * step).norm();
       Parameter<N> moved;
       const Frame<N> frame = this->arrive(step, moved);
-      const double predicted = -this->Current.gradient.dot(moved) -
-        0.5 * moved.dot(this->Current.metric() * moved);
+      const double predicted =
+        -this->Current.gradient.dot(moved) - 0.5 * moved.dot(this->Current.metric() * moved);
       const double actual = this->Current.energy() - frame.energy();
       const bool good = actual > 0.25 * predicted;
       const bool accepted = this->accepts(frame, moved);
@@ -275,6 +353,8 @@ private:
   /// One Newton step along u, then one along v.
   Candidate isocurve_step(const StepSettings<N>& settings)
   {
+    const Frame<N> start = this->Current;
+    Candidate reached;
     for (int i = 0; i < N; ++i)
     {
       StepSettings<N> single = settings;
@@ -282,19 +362,20 @@ private:
       {
         single.free(k) = settings.free(k) && k == i;
       }
-      if (Candidate next = this->shortened(this->limited(
-            solve_scaled<N>(this->Current.hessian(), this->Current.gradient, single))))
+      if (Candidate next = this->newton_step(single))
       {
-        return next;
+        reached = next;
+        this->Current = *next;
       }
     }
-    return {};
+    this->Current = start;
+    return reached;
   }
 
   // === A stationary point that is no minimum ===
 
   /// A way on from a frame that meets the conditions on its own piece: over a border, out of a
-  /// saddle, or along a collapsed side.
+  /// saddle, along a collapsed side, or to the middle of a flat minimum.
   Candidate leave()
   {
     if (Candidate next = this->cross_border())
@@ -305,7 +386,13 @@ private:
     {
       return next;
     }
-    return this->escape_saddle();
+    const StepSettings<N> nearly = this->settings(this->nearly_free());
+    if (Candidate next = this->escape_saddle(nearly, this->curvatures(nearly)))
+    {
+      return next;
+    }
+    const StepSettings<N> free = this->settings(this->Conditions.free(this->Current));
+    return this->sharpen(free, this->curvatures(free));
   }
 
   /// The neighbouring piece in which the descent is steepest, if any.
@@ -317,12 +404,10 @@ private:
     {
       const Frame<N> frame = this->frame_at(neighbour);
       const double residual = this->Conditions.residuals(frame).maxCoeff();
-      const bool continues = std::abs(frame.energy() - this->Current.energy()) <= this->seam_noise();
-      if (this->lower(frame) && !continues)
-      {
-        return frame; // the near side of a gap
-      }
-      if (continues && residual > this->Conditions.floor(frame) && residual > rate && this->descends(frame))
+      // The other side of a gap is another point, and a minimum of its own.
+      const bool continues =
+        (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
+      if (continues && this->Conditions.slopes(frame) && residual > rate && this->descends(frame))
       {
         rate = residual;
         steepest = frame;
@@ -331,15 +416,9 @@ private:
     return steepest;
   }
 
-  /// What E may differ by over a seam that closes to kClosureTolerance.
-  double seam_noise() const
-  {
-    return kClosureTolerance * this->Geometry.size() * this->Current.distance + this->energy_noise();
-  }
-
   /// Whether a step into the piece of a frame that lies where the current one does leads down: a
   /// residual alone may be the rounding of a seam, and would be handed to and fro.
-  bool descends(const Frame<N>& frame)  const
+  bool descends(const Frame<N>& frame) const
   {
     Descent ahead(this->Geometry, this->Query, this->Options, this->Propose);
     ahead.Current = frame;
@@ -377,7 +456,7 @@ private:
     // Eight columns a span, and no fewer than 32 in all: a pole of revolution has four spans.
     const int per_span = std::max<int>(8, 32 / static_cast<int>(spans.size() - 1));
     Candidate best;
-    double rate = this->Conditions.floor(this->Current);
+    double rate = this->Conditions.floor(this->Current, across);
     for (std::size_t k = 0; k + 1 < spans.size(); ++k)
     {
       for (int j = 0; j < per_span; ++j)
@@ -402,8 +481,7 @@ private:
   Eigen::Matrix<bool, N, 1> nearly_free() const
   {
     Eigen::Matrix<bool, N, 1> result = this->Conditions.free(this->Current);
-    const double flat =
-      std::max(this->Conditions.floor(this->Current), kFlatSlope * this->Current.distance);
+    const double flat = kFlatSlope * this->Current.distance;
     for (int i = 0; i < N; ++i)
     {
       const double slope = std::abs(this->Current.gradient(i));
@@ -412,10 +490,9 @@ private:
     return result;
   }
 
-  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
-  Candidate escape_saddle()
+  /// Principal curvatures of E over the free directions, in scaled parameters; held ones count 1.
+  Curvatures curvatures(const StepSettings<N>& settings) const
   {
-    const StepSettings<N> settings = this->settings(this->nearly_free());
     typename Frame<N>::Matrix scaled =
       settings.scale.asDiagonal() * this->Current.hessian() * settings.scale.asDiagonal();
     for (int i = 0; i < N; ++i)
@@ -427,15 +504,21 @@ private:
         scaled(i, i) = 1.0;
       }
     }
-    Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix> eigen;
-    eigen.computeDirect(scaled);
+    Curvatures result;
+    result.computeDirect(scaled);
+    return result;
+  }
+
+  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
+  Candidate escape_saddle(const StepSettings<N>& settings, const Curvatures& curvatures) const
+  {
     for (int k = 0; k < N; ++k)
     {
-      if (eigen.eigenvalues()(k) >= kFlatEigenvalue)
+      if (curvatures.eigenvalues()(k) >= kFlatEigenvalue)
       {
         continue;
       }
-      const Parameter<N> direction = settings.scale.cwiseProduct(eigen.eigenvectors().col(k));
+      const Parameter<N> direction = settings.scale.cwiseProduct(curvatures.eigenvectors().col(k));
       if (Candidate next = this->probe(direction))
       {
         return next;
@@ -452,6 +535,53 @@ private:
       }
     }
     return {};
+  }
+
+  /// Where E is flat the residual vanishes long before the place is found, and a Newton step leads
+  /// only 1/m of the way to a root of multiplicity m of the gradient (E. Schröder 1870): m times
+  /// the step is tried, with one step more to get back to the bottom of a bent valley.
+  Candidate sharpen(const StepSettings<N>& settings, const Curvatures& curvatures) const
+  {
+    Parameter<N> sure = Parameter<N>::Zero();
+    Parameter<N> unsure = Parameter<N>::Zero();
+    for (int k = 0; k < N; ++k)
+    {
+      const Parameter<N> direction = settings.scale.cwiseProduct(curvatures.eigenvectors().col(k));
+      const double slope = settings.free.select(direction, 0.0).dot(this->Current.gradient);
+      const double curvature = std::abs(curvatures.eigenvalues()(k));
+      const Parameter<N> step =
+        curvature > 0.0 ? Parameter<N>(-slope / curvature * direction) : Parameter<N>::Zero();
+      (is_noticeable<N>(step, this->Geometry) ? unsure : sure) += step;
+    }
+    const bool far =
+      (this->Current.jet.first * unsure).norm() > kSharpening * this->Geometry.size();
+    Candidate best;
+    if (unsure.isZero() || far)
+    {
+      return best;
+    }
+    double least = 0.1 * this->Conditions.residuals(this->Current).maxCoeff();
+    const double highest = this->Current.energy() + this->energy_noise();
+    auto look_at = [&](const Frame<N>& frame)
+    {
+      const double residual = this->Conditions.residuals(frame).maxCoeff();
+      if (residual <= least && frame.energy() <= highest)
+      {
+        least = residual;
+        best = frame;
+      }
+    };
+    for (const double multiplicity : { 1.0, 3.0, 5.0 })
+    {
+      Descent ahead = *this;
+      Parameter<N> moved;
+      ahead.Current = this->arrive(sure + multiplicity * unsure, moved);
+      look_at(ahead.Current);
+      const StepSettings<N> there = ahead.settings(this->Conditions.free(ahead.Current));
+      look_at(ahead.arrive(
+        solve_scaled<N>(ahead.Current.hessian(), ahead.Current.gradient, there), moved));
+    }
+    return best;
   }
 
   /// The lower of the ends of ever shorter steps forth and back; equal ones: back.
@@ -493,7 +623,8 @@ private:
         termination = Termination::PointCoincidence;
         break;
       }
-      if (this->Conditions.residuals(this->Current).maxCoeff() <= this->Options.cosine_tolerance * this->Current.distance)
+      if (this->Conditions.residuals(this->Current).maxCoeff() <=
+        this->Options.cosine_tolerance * this->Current.distance)
       {
         termination = Termination::ZeroCosine;
         break;
@@ -529,7 +660,8 @@ private:
         std::abs(moved(i)) < this->Options.parameter_tolerance * this->Geometry.direction(i).length;
     }
     return by_parameter ||
-      (this->Current.jet.first * moved).norm() <= this->Options.step_tolerance * this->Geometry.size();
+      (this->Current.jet.first * moved).norm() <=
+      this->Options.step_tolerance * this->Geometry.size();
   }
 
   // === The result ===
@@ -546,8 +678,7 @@ private:
     foot.termination = termination;
     const bool coincides = termination == Termination::PointCoincidence;
     const bool can_end = termination != Termination::IterationLimit;
-    foot.converged =
-      coincides || (can_end && foot.residual <= this->Conditions.floor(this->Current));
+    foot.converged = coincides || (can_end && !this->Conditions.slopes(this->Current));
     foot.type = this->Conditions.classify(this->Current, this->Query);
     // One point, two parameters: a seam is reported at the start of its direction.
     for (int i = 0; i < N; ++i)
@@ -573,6 +704,8 @@ private:
   int PoleRestarts = 0;
   double Lambda = 0.0;
   double LastStep = 0.0;
+  double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
+  bool Slow = false;
 };
 
 } // namespace
