@@ -466,14 +466,16 @@ private:
         column.sides(along) = Side::Right;
         const Frame<N> frame = this->frame_at(column);
         const double residual = this->Conditions.residuals(frame)(across);
-        if (residual > rate)
+        // In the plane of symmetry of a query a step may overshoot to an equal distance; then a
+        // column beside it serves.
+        if (residual > rate && this->descends(frame))
         {
           rate = residual;
           best = frame;
         }
       }
     }
-    return best && this->descends(*best) ? best : Candidate{};
+    return best;
   }
 
   /// The free directions and those in which next to nothing presses against a border: there, too, E
