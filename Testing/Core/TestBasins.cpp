@@ -62,9 +62,9 @@ std::map<Method, Basin> print_basins(
     const Vector3 query = low + random.vector(0.0, 1.0).cwiseProduct(high - low);
     LocalFoot<N> nearest;
     nearest.distance = 1e300;
-    for (const Parameter<N>& start : starts)
+    for (std::size_t k = 0; k < starts.size(); k += N == 1 ? 1 : 4)
     {
-      const auto foot = find_local_foot<N>(geometry, query, start);
+      const auto foot = find_local_foot<N>(geometry, query, starts[k]);
       nearest = foot.distance < nearest.distance ? foot : nearest;
     }
     if (nearest.type != FootType::Interior)

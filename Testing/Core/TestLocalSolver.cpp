@@ -88,7 +88,7 @@ void expect_convergence(const char* name, const ParametricGeometry<N>& geometry)
     for (const double reach : { 0.5, 2.0, 1e6 })
     {
       shapes::Random random(1);
-      for (int k = 0; k < 200; ++k)
+      for (int k = 0; k < 100; ++k)
       {
         SCOPED_TRACE(testing::Message()
           << name << ", " << kMethodNames.at(method) << ", reach " << reach << ", no. " << k);
