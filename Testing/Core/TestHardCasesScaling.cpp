@@ -80,6 +80,25 @@ TEST(HardCaseS9, SpeedsOneToAHundredMillion)
   }
 }
 
+TEST(HardCaseS9, SpeedsThatDifferInSpace)
+{
+  // The same ratio from the shape itself: a ribbon of width 1e-8.
+  const Surface bumpy = shapes::bumpy(11, 9);
+  footpoint::Points net = bumpy.local_control_points();
+  net.row(1) *= 1e-8;
+  const Surface ribbon(bumpy.knots(0), bumpy.knots(1), net);
+  const PointInverter inverter(model_of(ribbon));
+  const oracle::Nearest<2> nearest(shapes::spline_of(ribbon));
+  shapes::Random random(92);
+  for (int k = 0; k < 20; ++k)
+  {
+    const Vector3 query(random.uniform(-0.5, 0.5), random.uniform(-1e-8, 1e-8), random.uniform(-1, 1));
+    const Foot foot = inverter.find(query);
+    EXPECT_EQ(foot.status, Status::Converged);
+    EXPECT_NEAR(foot.distance, nearest(query.cast<oracle::Real>()).distance, 1e-12 * inverter.size());
+  }
+}
+
 TEST(HardCaseS9, ShortSpansAndDomainFarFromZero)
 {
   const Surface twin = shapes::bumpy(11, 9); // eight spans on [0, 1]
@@ -114,6 +133,23 @@ TEST(HardCaseS9, WeightsFromAMillionthToAMillion)
     twin.local_control_points().colwise() + twin.centre(), Eigen::VectorXd::Constant(16, 1e6));
   expect_same_feet(
     twin, heavy, [](const Parameter<2>& t) { return t; }, 96);
+}
+
+TEST(HardCaseS9, WeightsThatJump)
+{
+  shapes::Random random(97);
+  for (int k = 0; k < 4; ++k)
+  {
+    const auto arrays = shapes::random_arrays<2>(random, { { 3, 2 } }, 2, true, 6.0);
+    const PointInverter inverter(model_of(arrays.geometry()));
+    const oracle::Nearest<2> nearest(arrays.spline(), 40);
+    for (int i = 0; i < 10; ++i)
+    {
+      const Vector3 query = random.vector(-1.5, 1.5);
+      EXPECT_LE(inverter.find(query).distance,
+        nearest(query.cast<oracle::Real>()).distance + 1e-12 * inverter.size());
+    }
+  }
 }
 
 TEST(HardCaseS10, UnitSizeTenMillionFromTheOrigin)

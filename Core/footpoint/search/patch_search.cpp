@@ -182,14 +182,14 @@ private:
     }
   }
 
-  /// The solver's options with steps no longer than a start is near: a descent is to find the minimum of its
-  /// own neighbourhood, others have starts of their own.
+  /// The solver's options for a start that stands for a cell of a given diagonal.
   SolverOptions nearby(double reach) const
   {
     SolverOptions result = this->Solver;
-    if (this->Geometry.size() > 0.0)
+    if (std::isfinite(reach) && this->Geometry.size() > 0.0)
     {
-      result.trust_radius = std::min(result.trust_radius, reach / this->Geometry.size());
+      result.first_trust_radius = reach / this->Geometry.size();
+      result.stop_at_borders = true;
     }
     return result;
   }

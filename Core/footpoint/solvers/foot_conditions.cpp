@@ -24,7 +24,8 @@ Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
   {
     const bool held = (frame.gradient(i) > 0.0 && this->Walk.at_lower_border(place, i)) ||
       (frame.gradient(i) < 0.0 && this->Walk.at_upper_border(place, i));
-    result(i) = !held;
+    // Along a collapsed side nothing moves, and columns of no slope are no way down.
+    result(i) = !held && !(N == 2 && this->Walk.on_collapsed_side(place, N - 1 - i));
   }
   return result;
 }

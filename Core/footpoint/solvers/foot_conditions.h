@@ -47,7 +47,7 @@ public:
   const DomainWalk<N>& walk() const { return this->Walk; }
 
   /// Directions in which the frame may move without leaving its piece: all but those where it sits
-  /// on a border and descent leads out.
+  /// on a border and descent leads out, or along a collapsed side.
   Eigen::Matrix<bool, N, 1> free(const Frame<N>& frame) const;
 
   /// |r·S_i| / |S_i| where free, else 0.

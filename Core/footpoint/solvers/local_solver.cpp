@@ -62,6 +62,8 @@ public:
     this->Current = this->frame_at(this->Conditions.walk().enter(start));
     this->Iterations = 1;
     this->Lambda = this->Options.initial_lambda;
+    this->Radius = std::min(this->Options.first_trust_radius, this->Options.trust_radius) *
+      this->Geometry.size();
     return this->Options.safeguards ? this->descend() : this->iterate();
   }
 
@@ -138,6 +140,8 @@ private:
       const bool short_step = !settled && this->step_is_small() && !this->stalled();
       this->Current = *next;
       ++this->Iterations;
+      this->Radius =
+        std::min(2.0 * this->Radius, this->Options.trust_radius * this->Geometry.size());
       if (short_step)
       {
         return this->finish(Termination::SmallStep);
@@ -238,7 +242,7 @@ private:
   /// quadratic model with it, within a quarter of it.
   Parameter<N> limited(const Parameter<N>& step) const
   {
-    double radius = this->Options.trust_radius * this->Geometry.size();
+    double radius = this->Radius;
     if constexpr (N == 2)
     {
       const Vector3 normal = this->Current.jet.first.col(0).cross(this->Current.jet.first.col(1));
@@ -258,8 +262,7 @@ private:
     return factor * step;
   }
 
-  /// The full step; or, where that crosses a border of the piece, the border itself if it is lower or if
-  /// from there the way down leads back into the piece: then the minimum sought lies inside.
+  /// The better of the full step and, where it crosses a border of the piece, the border itself.
   Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const
   {
     const auto move = this->Conditions.walk().move(this->place(), step);
@@ -269,27 +272,13 @@ private:
     {
       const auto stop = this->Conditions.walk().move_to_border(this->place(), step);
       const Frame<N> border = this->frame_at(stop.place);
-      if (border.energy() < frame.energy() || this->turns_back(border, stop.moved))
+      if (this->Options.stop_at_borders || border.energy() < frame.energy())
       {
         frame = border;
         moved = stop.moved;
       }
     }
     return frame;
-  }
-
-  /// Whether from a border that was walked to, the way down leads back.
-  bool turns_back(const Frame<N>& border, const Parameter<N>& moved) const
-  {
-    const Place place{ border.t, border.sides };
-    bool back = false;
-    for (int i = 0; i < N; ++i)
-    {
-      const bool up = moved(i) > 0.0 && this->Conditions.walk().at_upper_border(place, i);
-      const bool down = moved(i) < 0.0 && this->Conditions.walk().at_lower_border(place, i);
-      back = back || (up && border.gradient(i) > 0.0) || (down && border.gradient(i) < 0.0);
-    }
-    return back;
   }
 
   /// Enough decrease; or, where E is equal to rounding, a smaller residual.
@@ -310,7 +299,7 @@ private:
   Candidate shortened(Parameter<N> step)
   {
     // Speeds that change leave the trust region even where their first order does not.
-    const double reach = 2.0 * this->Options.trust_radius * this->Geometry.size();
+    const double reach = 2.0 * this->Radius;
     for (int k = 0; k < kBacktracks; ++k)
     {
       this->LastStep = (this->Current.jet.first * step).norm();
@@ -423,33 +412,49 @@ private:
     Descent ahead(this->Geometry, this->Query, this->Options, this->Propose);
     ahead.Current = frame;
     ahead.Lambda = this->Options.initial_lambda;
+    ahead.Radius = this->Radius;
     const Candidate next = ahead.step();
     return next && this->lower(*next);
   }
 
-  /// On a collapsed side the parameter along it is free: the column in which descent is steepest.
+  /// At a pole the parameter along the collapsed side is free: the column in which descent is steepest.
   Candidate turn_at_pole()
   {
     if constexpr (N == 2)
     {
-      for (int i = 0; i < N; ++i)
+      for (int i = 0; i < N && this->PoleRestarts < kPoleRestarts; ++i)
       {
-        if (this->PoleRestarts >= kPoleRestarts ||
-          !this->Conditions.walk().on_collapsed_side(this->place(), i))
+        if (const std::optional<Place> pole = this->pole(i))
         {
-          continue;
-        }
-        ++this->PoleRestarts;
-        if (Candidate column = this->steepest_column(i))
-        {
-          return column;
+          ++this->PoleRestarts;
+          if (Candidate column = this->steepest_column(*pole, i))
+          {
+            return column;
+          }
         }
       }
     }
     return {};
   }
 
-  Candidate steepest_column(int across) const
+  /// The place on a collapsed side of direction i that the current point is on, or a rounding off.
+  std::optional<Place> pole(int i) const
+  {
+    const Direction& direction = this->Geometry.direction(i);
+    const int end = this->Current.t(i) > 0.5 * direction.length ? 1 : 0;
+    if (!direction.collapsed[end] || !this->Conditions.stalled(this->Current, 1 - i))
+    {
+      return {};
+    }
+    Place place = this->place();
+    place.t(i) = end == 0 ? 0.0 : direction.length;
+    place.sides(i) = end == 0 ? Side::Right : Side::Left;
+    const Vector3 apart = this->frame_at(place).r - this->Current.r;
+    const bool near = apart.norm() <= kClosureTolerance * this->Geometry.size();
+    return near ? std::make_optional(place) : std::nullopt;
+  }
+
+  Candidate steepest_column(const Place& pole, int across) const
   {
     const int along = 1 - across;
     const std::vector<double>& spans = this->Geometry.direction(along).spans;
@@ -461,7 +466,7 @@ private:
     {
       for (int j = 0; j < per_span; ++j)
       {
-        Place column = this->place();
+        Place column = pole;
         column.t(along) = spans[k] + (spans[k + 1] - spans[k]) * j / per_span;
         column.sides(along) = Side::Right;
         const Frame<N> frame = this->frame_at(column);
@@ -708,6 +713,7 @@ private:
   double LastStep = 0.0;
   double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
   bool Slow = false;
+  double Radius = 0.0; ///< of the trust region, in model units
 };
 
 } // namespace
