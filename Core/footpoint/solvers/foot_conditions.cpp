@@ -72,15 +72,21 @@ double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 }
 
 template <int N>
-bool FootConditions<N>::slopes(const Frame<N>& frame) const
+double FootConditions<N>::excess(const Frame<N>& frame, const Parameter<N>& speeds) const
 {
-  const Parameter<N> residuals = this->residuals(frame);
-  bool result = false;
+  const Parameter<N> residuals = this->residuals(frame, speeds);
+  double result = 0.0;
   for (int i = 0; i < N; ++i)
   {
-    result = result || residuals(i) > this->floor(frame, i);
+    result = std::max(result, residuals(i) / this->floor(frame, i));
   }
   return result;
+}
+
+template <int N>
+bool FootConditions<N>::slopes(const Frame<N>& frame) const
+{
+  return this->excess(frame, frame.speed) > 1.0;
 }
 
 template <int N>

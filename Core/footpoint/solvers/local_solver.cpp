@@ -137,7 +137,7 @@ private:
       {
         return this->finish(Termination::IterationLimit);
       }
-      const bool short_step = !settled && this->step_is_small() && !this->stalled();
+      const bool short_step = !settled && this->step_is_small() && this->stays(next->t);
       this->Current = *next;
       ++this->Iterations;
       this->Radius =
@@ -154,15 +154,19 @@ private:
     return this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
   }
 
-  /// Where the parametrization stands still a short way in space may be a long one in parameters.
-  bool stalled() const
+  /// Where the parametrization stands still, or a surface is a thin strip, a short way in space is a
+  /// long one in parameters: both have to be short.
+  bool stays(const Parameter<N>& t) const
   {
-    bool any = false;
     for (int i = 0; i < N; ++i)
     {
-      any = any || this->Conditions.stalled(this->Current, i);
+      const double part = std::abs(t(i) - this->Current.t(i)) / this->Geometry.direction(i).length;
+      if (part > this->Options.step_tolerance)
+      {
+        return false;
+      }
     }
-    return any;
+    return true;
   }
 
   LocalFoot<N> settle_or_stagnate(bool settled)
@@ -291,9 +295,11 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
+    // Near a cusp S_i shrinks with r·S_i: there the speeds of the start have to judge.
+    const double residual = std::min(this->Conditions.excess(frame, frame.speed),
+      this->Conditions.excess(frame, this->Current.speed));
     return won >= -noise &&
-      this->Conditions.residuals(frame, this->Current.speed).maxCoeff() <
-      0.9 * this->Conditions.residuals(this->Current).maxCoeff();
+      residual < 0.9 * this->Conditions.excess(this->Current, this->Current.speed);
   }
 
   Candidate shortened(Parameter<N> step)

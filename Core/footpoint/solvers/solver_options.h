@@ -37,7 +37,8 @@ struct SolverOptions
   /// (no unit; unit size of the guide: |g| < 1e-13). The error of the distance is its square.
   double cosine_tolerance = 1e-12;
 
-  /// A step shorter than this in space ends the search (unit size: 1e-15); the result then counts as
+  /// A step shorter than this in space, and than this fraction of the domain in every parameter, ends
+  /// the search (unit size: 1e-15); the result then counts as
   /// converged only if the residual is down to rounding.
   double step_tolerance = 1e-15;
 

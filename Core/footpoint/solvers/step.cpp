@@ -88,12 +88,23 @@ Parameter<N> solve_scaled(
   {
     return Parameter<N>::Zero();
   }
+  // Where S_i is small beside the curvature (poles, folds of a strip) the scaled diagonal is huge and
+  // would drown the other direction in rounding.
+  Parameter<N> unit = settings.scale;
+  for (int i = 0; i < N; ++i)
+  {
+    const double shrink = 1.0 / std::sqrt(std::max(1.0, std::abs(scaled(i, i))));
+    scaled.row(i) *= shrink;
+    scaled.col(i) *= shrink;
+    right(i) *= shrink;
+    unit(i) *= shrink;
+  }
   Eigen::SelfAdjointEigenSolver<Matrix<N>> eigen;
   eigen.computeDirect(scaled);
   const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
   if (largest == 0.0)
   {
-    return -settings.scale.cwiseProduct(right);
+    return -unit.cwiseProduct(right);
   }
   Parameter<N> values = eigen.eigenvalues().cwiseAbs().cwiseMax(kEigenvalueFloor * largest);
   if (!settings.descend)
@@ -102,7 +113,7 @@ Parameter<N> solve_scaled(
   }
   const Parameter<N> delta =
     -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * right).cwiseQuotient(values));
-  return settings.scale.cwiseProduct(delta);
+  return unit.cwiseProduct(delta);
 }
 
 template <int N>
