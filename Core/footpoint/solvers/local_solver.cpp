@@ -285,6 +285,18 @@ private:
     return frame;
   }
 
+  /// Whether the residual falls: by its length; by its excess over rounding (in one direction noise may
+  /// outweigh progress in the other); or in the speeds of the start (near a cusp S_i shrinks with r·S_i).
+  bool straightens(const Frame<N>& frame) const
+  {
+    const Parameter<N>& speed = this->Current.speed;
+    const double residual = std::min(this->Conditions.residuals(frame).maxCoeff(),
+      this->Conditions.residuals(frame, speed).maxCoeff());
+    return residual < 0.9 * this->Conditions.residuals(this->Current).maxCoeff() ||
+      this->Conditions.excess(frame, frame.speed) <
+      0.9 * this->Conditions.excess(this->Current, speed);
+  }
+
   /// Enough decrease; or, where E is equal to rounding, a smaller residual.
   bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const
   {
@@ -295,11 +307,7 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
-    // Near a cusp S_i shrinks with r·S_i: there the speeds of the start have to judge.
-    const double residual = std::min(this->Conditions.excess(frame, frame.speed),
-      this->Conditions.excess(frame, this->Current.speed));
-    return won >= -noise &&
-      residual < 0.9 * this->Conditions.excess(this->Current, this->Current.speed);
+    return won >= -noise && this->straightens(frame);
   }
 
   Candidate shortened(Parameter<N> step)
