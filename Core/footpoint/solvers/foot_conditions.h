@@ -57,8 +57,8 @@ public:
   double tolerance(const Frame<N>& frame) const;
   /// The same in one direction where only rounding is left. \pre the frame has second derivatives
   double floor(const Frame<N>& frame, int i) const;
-  /// Whether the residuals are above their floors in some free direction.
-  bool slopes(const Frame<N>& frame) const;
+  /// The largest residual over its floor: above 1 there is a slope.
+  double excess(const Frame<N>& frame) const;
 
   bool stalled(const Frame<N>& frame, int i) const;
 

@@ -224,7 +224,7 @@ private:
     return frame;
   }
 
-  /// Enough decrease; or, where E is equal to rounding, a smaller residual.
+  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their floor.
   bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const
   {
     const double promised = std::max(0.0, -this->Current.gradient.dot(moved));
@@ -234,7 +234,12 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
-    return won >= -noise &&
+    if (won < -noise)
+    {
+      return false;
+    }
+    const double excess = this->Conditions.excess(this->Current);
+    return (excess > 1.0 && this->Conditions.excess(frame) < 0.9 * excess) ||
       this->Conditions.residuals(frame).maxCoeff() <
       0.9 * this->Conditions.residuals(this->Current).maxCoeff();
   }
@@ -336,7 +341,7 @@ private:
       // The other side of a gap is another point, and a minimum of its own.
       const bool continues =
         (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
-      if (continues && this->Conditions.slopes(frame) && residual > rate && this->descends(frame))
+      if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate && this->descends(frame))
       {
         rate = residual;
         steepest = frame;
@@ -609,7 +614,7 @@ private:
     foot.termination = termination;
     const bool coincides = termination == Termination::PointCoincidence;
     const bool can_end = termination != Termination::IterationLimit;
-    foot.converged = coincides || (can_end && !this->Conditions.slopes(this->Current));
+    foot.converged = coincides || (can_end && this->Conditions.excess(this->Current) <= 1.0);
     foot.type = this->Conditions.classify(this->Current, this->Query);
     // One point, two parameters: a seam is reported at the start of its direction.
     for (int i = 0; i < N; ++i)
