@@ -221,4 +221,5 @@ TEST(Closure, OfGeometryWithoutKnots)
   EXPECT_FALSE(Cylinder(0.75 * turn).direction(0).closed);
   // Without a list of knots origin + local stands in.
   EXPECT_EQ(full.to_domain({ 1.25, 0.5 }), Eigen::Vector2d(1.25, 0.5));
+  EXPECT_EQ(full.to_domain({ 0.0, 1.0 }), Eigen::Vector2d(0.0, 1.0));
 }

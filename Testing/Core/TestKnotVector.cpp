@@ -143,6 +143,13 @@ TEST(KnotVector, SpansOfUnclampedKnotsStayInTheDomain)
   EXPECT_EQ(knots.find_span(0.0, Side::Right), 3);
   EXPECT_EQ(knots.find_span(5.0, Side::Right), 4); // 8 is the end; what follows is outside
   EXPECT_EQ(knots.find_span(7.0, Side::Right), 4);
+  // The domain ends with the second of two equal knots; [8, 8] has no length either.
+  const KnotVector repeated(1, { 1, 2, 5, 8, 8, 10 });
+  for (const Side side : { Side::Left, Side::Right })
+  {
+    EXPECT_EQ(repeated.find_span(6.0, side), 2);
+    EXPECT_EQ(repeated.find_span(7.0, side), 2);
+  }
 }
 
 TEST(KnotVector, BasisSumsToOneAndDerivativesToZero)

@@ -88,6 +88,10 @@ PointInverter::Implementation::Implementation(Model model, const InversionOption
     for (std::size_t i = 0; i < this->Faces[k].patches.size(); ++i)
     {
       const Patch& patch = this->Faces[k].patches[i];
+      if (patch.surface)
+      {
+        make_step<2>(options.solver.method); // throws here, not in the middle of a query
+      }
       PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], nullptr };
       prepared.search = patch.curve
         ? make_patch_search<1>(patch.curve, options.solver, options.seeding, cells)
@@ -232,18 +236,23 @@ std::vector<Candidate> PointInverter::Implementation::every(
       query, [limit] { return limit; },
       [&](const PatchFoot& foot)
       {
-        const Candidate candidate{ k, foot };
-        auto known = std::find_if(kept.begin(), kept.end(),
-          [&](const Candidate& other) { return this->same(candidate, other); });
         if (!foot.converged || foot.distance > limit)
         {
           return;
         }
+        const Candidate candidate{ k, foot };
+        auto known = std::find_if(kept.begin(), kept.end(),
+          [&](const Candidate& other)
+          {
+            return this->same(candidate, other) ||
+              (!lines && other.patch == k &&
+                this->Patches[k].search->level(point, foot, other.foot));
+          });
         if (known == kept.end())
         {
           kept.push_back(candidate);
         }
-        else if (foot.distance < known->foot.distance)
+        else if (this->better(candidate, *known))
         {
           *known = candidate;
         }

@@ -31,6 +31,10 @@ constexpr double kFlat = 1e-6;
 constexpr double kProbe = 1e-2;
 constexpr double kEqualDistance = 1e-12;
 
+/// Where on the way between two feet the distance is looked at: three places at no simple ratio, so
+/// that equally spaced minima of equal distance do not pass for one.
+constexpr double kBetween[] = { 0.17, 0.5, 0.79 };
+
 template <int N>
 class PatchSearchOf : public PatchSearch
 {
@@ -89,6 +93,8 @@ public:
   double size() const override { return this->Geometry.size(); }
 
   bool same(const PatchFoot& a, const PatchFoot& b) const override;
+
+  bool level(const Vector3& point, const PatchFoot& a, const PatchFoot& b) const override;
 
   bool lower(const PatchFoot& a, const PatchFoot& b) const override
   {
@@ -340,6 +346,37 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
       {
         return false;
       }
+    }
+  }
+  return true;
+}
+
+template <int N>
+bool PatchSearchOf<N>::level(const Vector3& point, const PatchFoot& a, const PatchFoot& b) const
+{
+  const double tolerance = tie_tolerance(a.distance, this->Geometry.size());
+  if (std::abs(a.distance - b.distance) > tolerance)
+  {
+    return false;
+  }
+  const Vector3 query = this->local(point);
+  for (const double fraction : kBetween)
+  {
+    Parameter<N> t;
+    for (int i = 0; i < N; ++i)
+    {
+      const Direction& direction = this->Geometry.direction(i);
+      double way = b.local(i) - a.local(i);
+      if (direction.closed && std::abs(way) > 0.5 * direction.length)
+      {
+        way -= std::copysign(direction.length, way); // over the seam is shorter
+      }
+      t(i) = a.local(i) + fraction * way;
+      t(i) += t(i) < 0.0 ? direction.length : (t(i) > direction.length ? -direction.length : 0.0);
+    }
+    if (std::abs((this->Geometry.point(t) - query).norm() - a.distance) > tolerance)
+    {
+      return false;
     }
   }
   return true;

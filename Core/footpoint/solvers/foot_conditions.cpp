@@ -31,7 +31,8 @@ Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
 }
 
 template <int N>
-Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
+Parameter<N> FootConditions<N>::residuals(
+  const Frame<N>& frame, const Parameter<N>& speeds) const
 {
   const Eigen::Matrix<bool, N, 1> free = this->free(frame);
   Parameter<N> result;
@@ -39,7 +40,7 @@ Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
   {
     // Where S_i stands still its direction is rounding, and the mean speed has to judge.
     const double slowest = kStalledSpeed * this->Geometry.direction(i).speed;
-    const double speed = std::max(frame.speed(i), slowest);
+    const double speed = std::max(speeds(i), slowest);
     result(i) = free(i) && speed > 0.0 ? std::abs(frame.gradient(i)) / speed : 0.0;
   }
   return result;

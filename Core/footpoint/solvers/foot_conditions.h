@@ -51,7 +51,9 @@ public:
   Eigen::Matrix<bool, N, 1> free(const Frame<N>& frame) const;
 
   /// |r·S_i| / |S_i| where free, else 0.
-  Parameter<N> residuals(const Frame<N>& frame) const;
+  Parameter<N> residuals(const Frame<N>& frame) const { return this->residuals(frame, frame.speed); }
+  /// The same in units of other speeds: near a cusp |S_i| shrinks with r·S_i.
+  Parameter<N> residuals(const Frame<N>& frame, const Parameter<N>& speeds) const;
 
   /// What the residual of a frame has to stay below.
   double tolerance(const Frame<N>& frame) const;

@@ -23,12 +23,21 @@ constexpr double kSufficientDecrease = 1e-4;
 /// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
 constexpr int kBacktracks = 12;
 
+/// A method that has not brought the residual down to a hundredth in so many iterations hands over to
+/// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
+/// centre of curvature.
+constexpr int kPatience = 10;
+
 /// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative
 /// says nothing, so that finite steps have to tell a minimum from a saddle.
 constexpr double kFlatEigenvalue = 1e-6;
 
 /// A step that is longer in space than this part of the size is no refinement of a flat minimum.
 constexpr double kSharpening = 1e-3;
+
+/// Cosine between r and S_i below which a border does not hold a foot that can leave it by a finite
+/// step: what a step along such a slope wins is less than the rounding of E.
+constexpr double kFlatSlope = 1e-6;
 
 /// Starts again from another column of a collapsed side, at the most.
 constexpr int kPoleRestarts = 4;
@@ -112,8 +121,13 @@ private:
       {
         return this->finish(Termination::PointCoincidence);
       }
-      const bool settled = this->Conditions.residuals(this->Current).maxCoeff() <=
-        this->Conditions.tolerance(this->Current);
+      const double residual = this->Conditions.residuals(this->Current).maxCoeff();
+      const bool settled = residual <= this->Conditions.tolerance(this->Current);
+      if (this->Iterations % kPatience == 0)
+      {
+        this->Slow = residual > 0.01 * this->Checkpoint;
+        this->Checkpoint = residual;
+      }
       Candidate next = settled ? this->leave() : this->step();
       if (!next)
       {
@@ -123,11 +137,32 @@ private:
       {
         return this->finish(Termination::IterationLimit);
       }
+      const bool short_step = !settled && this->step_is_small() && !this->stalled();
       this->Current = *next;
       ++this->Iterations;
       this->Radius =
         std::min(2.0 * this->Radius, this->Options.trust_radius * this->Geometry.size());
+      if (short_step)
+      {
+        return this->finish(Termination::SmallStep);
+      }
     }
+  }
+
+  bool step_is_small() const
+  {
+    return this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
+  }
+
+  /// Where the parametrization stands still a short way in space may be a long one in parameters.
+  bool stalled() const
+  {
+    bool any = false;
+    for (int i = 0; i < N; ++i)
+    {
+      any = any || this->Conditions.stalled(this->Current, i);
+    }
+    return any;
   }
 
   LocalFoot<N> settle_or_stagnate(bool settled)
@@ -136,20 +171,28 @@ private:
     {
       return this->finish(Termination::ZeroCosine);
     }
-    const bool small = this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
-    return this->finish(small ? Termination::SmallStep : Termination::Stagnation);
+    return this->finish(
+      this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
   }
 
   /// A lower point reached by the method's step or, where that is rejected, by its fall-backs.
   Candidate step()
   {
     const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
-    const bool damped = this->Options.method == Method::LevenbergMarquardt;
-    if (Candidate next = damped ? this->damped_step(settings)
-                                : this->shortened(this->limited(this->descending(
-                                    this->Propose(this->Current, settings), settings))))
+    if (!this->Slow)
     {
-      return next;
+      const bool damped = this->Options.method == Method::LevenbergMarquardt;
+      if (Candidate next = damped ? this->damped_step(settings) : this->proposed_step(settings))
+      {
+        return next;
+      }
+    }
+    if (this->Slow || this->Options.method != Method::Newton)
+    {
+      if (Candidate next = this->newton_step(settings))
+      {
+        return next;
+      }
     }
     if (N == 2 && this->Options.isocurve_fallback)
     {
@@ -159,6 +202,18 @@ private:
       }
     }
     return this->shortened(this->limited(this->steepest(settings)));
+  }
+
+  Candidate proposed_step(const StepSettings<N>& settings)
+  {
+    const Parameter<N> step = this->Propose(this->Current, settings);
+    return this->shortened(this->limited(this->descending(step, settings)));
+  }
+
+  Candidate newton_step(const StepSettings<N>& settings)
+  {
+    return this->shortened(this->limited(
+      solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
   }
 
   /// −scale² g: steepest descent in scaled parameters.
@@ -199,8 +254,10 @@ private:
     double factor = length > radius ? radius / length : 1.0;
     for (int i = 0; i < N; ++i)
     {
-      const double whole = this->Geometry.direction(i).length;
-      factor = std::min(factor, std::abs(step(i)) > whole ? whole / std::abs(step(i)) : 1.0);
+      // Half a period at the most: a whole one would lead back to where it started.
+      const Direction& direction = this->Geometry.direction(i);
+      const double longest = direction.closed ? 0.5 * direction.length : direction.length;
+      factor = std::min(factor, std::abs(step(i)) > longest ? longest / std::abs(step(i)) : 1.0);
     }
     return factor * step;
   }
@@ -240,7 +297,7 @@ private:
     }
     const double excess = this->Conditions.excess(this->Current);
     return (excess > 1.0 && this->Conditions.excess(frame) < 0.9 * excess) ||
-      this->Conditions.residuals(frame).maxCoeff() <
+      this->Conditions.residuals(frame, this->Current.speed).maxCoeff() <
       0.9 * this->Conditions.residuals(this->Current).maxCoeff();
   }
 
@@ -290,6 +347,8 @@ private:
   /// One Newton step along u, then one along v.
   Candidate isocurve_step(const StepSettings<N>& settings)
   {
+    const Frame<N> start = this->Current;
+    Candidate reached;
     for (int i = 0; i < N; ++i)
     {
       StepSettings<N> single = settings;
@@ -297,13 +356,14 @@ private:
       {
         single.free(k) = settings.free(k) && k == i;
       }
-      if (Candidate next = this->shortened(this->limited(
-            solve_scaled<N>(this->Current.hessian(), this->Current.gradient, single))))
+      if (Candidate next = this->newton_step(single))
       {
-        return next;
+        reached = next;
+        this->Current = *next;
       }
     }
-    return {};
+    this->Current = start;
+    return reached;
   }
 
   // === A stationary point that is no minimum ===
@@ -320,13 +380,13 @@ private:
     {
       return next;
     }
-    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
-    const Curvatures curvatures = this->curvatures(settings);
-    if (Candidate next = this->escape_saddle(settings, curvatures))
+    const StepSettings<N> nearly = this->settings(this->nearly_free());
+    if (Candidate next = this->escape_saddle(nearly, this->curvatures(nearly)))
     {
       return next;
     }
-    return this->sharpen(settings, curvatures);
+    const StepSettings<N> free = this->settings(this->Conditions.free(this->Current));
+    return this->sharpen(free, this->curvatures(free));
   }
 
   /// The neighbouring piece in which the descent is steepest, if any.
@@ -416,14 +476,30 @@ private:
         column.sides(along) = Side::Right;
         const Frame<N> frame = this->frame_at(column);
         const double residual = this->Conditions.residuals(frame)(across);
-        if (residual > rate)
+        // In the plane of symmetry of a query a step may overshoot to an equal distance; then a
+        // column beside it serves.
+        if (residual > rate && this->descends(frame))
         {
           rate = residual;
           best = frame;
         }
       }
     }
-    return best && this->descends(*best) ? best : Candidate{};
+    return best;
+  }
+
+  /// The free directions and those in which next to nothing presses against a border: there, too, E
+  /// may curve downwards (a saddle on a knot line, and a point beside one).
+  Eigen::Matrix<bool, N, 1> nearly_free() const
+  {
+    Eigen::Matrix<bool, N, 1> result = this->Conditions.free(this->Current);
+    const double flat = kFlatSlope * this->Current.distance;
+    for (int i = 0; i < N; ++i)
+    {
+      const double slope = std::abs(this->Current.gradient(i));
+      result(i) = result(i) || slope <= flat * this->Current.speed(i);
+    }
+    return result;
   }
 
   /// Principal curvatures of E over the free directions, in scaled parameters; held ones count 1.
@@ -640,6 +716,8 @@ private:
   int PoleRestarts = 0;
   double Lambda = 0.0;
   double LastStep = 0.0;
+  double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
+  bool Slow = false;
   double Radius = 0.0; ///< of the trust region, in model units
 };
 
