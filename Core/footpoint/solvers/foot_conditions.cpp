@@ -72,21 +72,16 @@ double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 }
 
 template <int N>
-double FootConditions<N>::excess(const Frame<N>& frame, const Parameter<N>& speeds) const
+double FootConditions<N>::excess(const Frame<N>& frame) const
 {
-  const Parameter<N> residuals = this->residuals(frame, speeds);
+  const Parameter<N> residuals = this->residuals(frame);
   double result = 0.0;
   for (int i = 0; i < N; ++i)
   {
-    result = std::max(result, residuals(i) / this->floor(frame, i));
+    // Both are 0 where the geometry is a point and the query on it.
+    result = residuals(i) > 0.0 ? std::max(result, residuals(i) / this->floor(frame, i)) : result;
   }
   return result;
-}
-
-template <int N>
-bool FootConditions<N>::slopes(const Frame<N>& frame) const
-{
-  return this->excess(frame, frame.speed) > 1.0;
 }
 
 template <int N>

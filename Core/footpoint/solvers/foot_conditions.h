@@ -59,11 +59,8 @@ public:
   double tolerance(const Frame<N>& frame) const;
   /// The same in one direction where only rounding is left. \pre the frame has second derivatives
   double floor(const Frame<N>& frame, int i) const;
-  /// The largest residual in units of its floor: what is rounding in one direction does not outweigh
-  /// progress in the other.
-  double excess(const Frame<N>& frame, const Parameter<N>& speeds) const;
-  /// Whether the residuals are above their floors in some free direction.
-  bool slopes(const Frame<N>& frame) const;
+  /// The largest residual over its floor: above 1 there is a slope.
+  double excess(const Frame<N>& frame) const;
 
   bool stalled(const Frame<N>& frame, int i) const;
 

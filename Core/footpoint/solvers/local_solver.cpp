@@ -285,19 +285,7 @@ private:
     return frame;
   }
 
-  /// Whether the residual falls: by its length; by its excess over rounding (in one direction noise may
-  /// outweigh progress in the other); or in the speeds of the start (near a cusp S_i shrinks with r·S_i).
-  bool straightens(const Frame<N>& frame) const
-  {
-    const Parameter<N>& speed = this->Current.speed;
-    const double residual = std::min(this->Conditions.residuals(frame).maxCoeff(),
-      this->Conditions.residuals(frame, speed).maxCoeff());
-    return residual < 0.9 * this->Conditions.residuals(this->Current).maxCoeff() ||
-      this->Conditions.excess(frame, frame.speed) <
-      0.9 * this->Conditions.excess(this->Current, speed);
-  }
-
-  /// Enough decrease; or, where E is equal to rounding, a smaller residual.
+  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their floor.
   bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const
   {
     const double promised = std::max(0.0, -this->Current.gradient.dot(moved));
@@ -307,7 +295,14 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
-    return won >= -noise && this->straightens(frame);
+    if (won < -noise)
+    {
+      return false;
+    }
+    const double excess = this->Conditions.excess(this->Current);
+    return (excess > 1.0 && this->Conditions.excess(frame) < 0.9 * excess) ||
+      this->Conditions.residuals(frame, this->Current.speed).maxCoeff() <
+      0.9 * this->Conditions.residuals(this->Current).maxCoeff();
   }
 
   Candidate shortened(Parameter<N> step)
@@ -410,7 +405,7 @@ private:
       // The other side of a gap is another point, and a minimum of its own.
       const bool continues =
         (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
-      if (continues && this->Conditions.slopes(frame) && residual > rate && this->descends(frame))
+      if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate && this->descends(frame))
       {
         rate = residual;
         steepest = frame;
@@ -699,7 +694,7 @@ private:
     foot.termination = termination;
     const bool coincides = termination == Termination::PointCoincidence;
     const bool can_end = termination != Termination::IterationLimit;
-    foot.converged = coincides || (can_end && !this->Conditions.slopes(this->Current));
+    foot.converged = coincides || (can_end && this->Conditions.excess(this->Current) <= 1.0);
     foot.type = this->Conditions.classify(this->Current, this->Query);
     // One point, two parameters: a seam is reported at the start of its direction.
     for (int i = 0; i < N; ++i)
