@@ -304,7 +304,7 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
   const Parameter<N> t = foot.local.head<N>();
   const Frame<N> frame = make_frame<N>(this->Geometry, query, t, foot.sides.head<N>());
   const FootConditions<N> conditions(this->Geometry, this->Solver);
-  const Eigen::Matrix<bool, N, 1> free = conditions.free(frame);
+  Eigen::Matrix<bool, N, 1> free = conditions.free(frame);
   typename Frame<N>::Matrix scaled = frame.hessian();
   Parameter<N> scale = Parameter<N>::Zero();
   for (int i = 0; i < N; ++i)
@@ -313,6 +313,9 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
     {
       scale(i) = 1.0 / frame.speed(i);
     }
+    // On a border a gradient that is rounding holds nothing.
+    const double rounding = conditions.floor(frame, i) * frame.speed(i);
+    free(i) = free(i) || std::abs(frame.gradient(i)) <= rounding;
   }
   scaled = scale.asDiagonal() * scaled * scale.asDiagonal();
   for (int i = 0; i < N; ++i)
