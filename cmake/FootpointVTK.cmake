@@ -8,8 +8,9 @@ set(vtk_components
   Python WrappingPythonCore)
 if (BUILD_TESTING)
   list(APPEND vtk_components
-    FiltersCore FiltersGeneral FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage
-    IOXML RenderingFreeType RenderingOpenGL2 TestingCore TestingRendering)
+    FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources ImagingCore
+    InteractionStyle IOImage IOXML RenderingAnnotation RenderingFreeType RenderingOpenGL2 TestingCore
+    TestingRendering)
 endif ()
 if (FOOTPOINT_USE_PARAVIEW)
   # The hints are where Utilities/set_up.sh unpacks ParaView.

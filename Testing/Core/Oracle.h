@@ -155,9 +155,9 @@ struct Foot
   Vector point = Vector::Zero();
 };
 
-/// Nearest points on a spline: a dense grid in every span, then every grid minimum that can still win
-/// is refined inside its span. Spans are closed boxes of their own, so that boundaries, seams, kinks
-/// and gaps need no special care. Distances are good to about 1e-15 of the size.
+/// Nearest points on a spline: a dense grid in every span, then every grid minimum that can still
+/// win is refined inside its span. Spans are closed boxes of their own, so that boundaries, seams,
+/// kinks and gaps need no special care. Distances are good to about 1e-15 of the size.
 template <int N>
 class Nearest
 {
@@ -195,8 +195,8 @@ public:
       lower[b] = (query - box.middle).norm() - box.radius - box.spacing;
       if (lower[b] <= bound)
       {
-        bound =
-          std::min(bound, std::sqrt((box.points.colwise() - query).colwise().squaredNorm().minCoeff()));
+        bound = std::min(
+          bound, std::sqrt((box.points.colwise() - query).colwise().squaredNorm().minCoeff()));
       }
     }
     // === Refine what can still win
@@ -256,7 +256,8 @@ private:
       for (int i = 0; i < columns; ++i)
       {
         const int k = j * columns + i;
-        box.points.col(k) = this->Geometry.evaluate(spans, this->at(box, this->grid_fraction(i, j)));
+        box.points.col(k) =
+          this->Geometry.evaluate(spans, this->at(box, this->grid_fraction(i, j)));
         for (const int neighbour : { i > 0 ? k - 1 : k, j > 0 ? k - columns : k })
         {
           const Real gap = (box.points.col(k) - box.points.col(neighbour)).norm();
@@ -299,9 +300,8 @@ private:
   /// coordinate steps alone creep in oblique valleys. Only real improvements are accepted.
   void refine(const Box& box, const Vector& query, Parameters place, Foot<N>& best) const
   {
-    const auto square = [&](const Parameters& fraction) {
-      return (this->Geometry.evaluate(box.spans, this->at(box, fraction)) - query).squaredNorm();
-    };
+    const auto square = [&](const Parameters& fraction)
+    { return (this->Geometry.evaluate(box.spans, this->at(box, fraction)) - query).squaredNorm(); };
     Real value = square(place);
     Real step = 0.5L / (this->Samples[0] - 1);
     for (int iteration = 0; iteration < 400 && step > 1e-19L && value > 0.0L; ++iteration)
@@ -395,7 +395,8 @@ private:
     }
     // 0/0 in flat patterns proposes nothing.
     all.erase(std::remove_if(all.begin(), all.end(),
-                [](const Parameters& t) { return !(std::abs(t[0]) <= 1.0L && std::abs(t[N - 1]) <= 1.0L); }),
+                [](const Parameters& t)
+                { return !(std::abs(t[0]) <= 1.0L && std::abs(t[N - 1]) <= 1.0L); }),
       all.end());
     return all;
   }
@@ -405,17 +406,18 @@ private:
   std::vector<Box> Boxes;
 };
 
-/// Derivatives of order a (in u) and b (in v; 0 on curves) of the piece on the given spans, by central
-/// differences with Richardson extrapolation (Ridders 1982); the continued piece is evaluated, so that
-/// one-sided derivatives at knots are central ones here.
-/// \param step first step as a fraction of the span's length
+/// Derivatives of order a (in u) and b (in v; 0 on curves) of the piece on the given spans, by
+/// central differences with Richardson extrapolation (Ridders 1982); the continued piece is
+/// evaluated, so that one-sided derivatives at knots are central ones here. \param step first step
+/// as a fraction of the span's length
 template <int N>
 Vector derivative(const Spline<N>& geometry, const typename Spline<N>::Spans& spans,
   const typename Spline<N>::Parameters& t, const std::array<int, N>& orders, Real step = 0.02L)
 {
   static const std::array<std::vector<Real>, 4> stencils{ { { 0, 1, 0 }, { -0.5L, 0, 0.5L },
     { 1, -2, 1 }, { -0.5L, 1, 0, -1, 0.5L } } };
-  const auto difference = [&](Real fraction) {
+  const auto difference = [&](Real fraction)
+  {
     std::array<Real, N> h;
     Real scale = 1.0L;
     for (int i = 0; i < N; ++i)

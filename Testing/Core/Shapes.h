@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Named geometries that several tests use; closed forms stand in the comments. Letters with a number
-/// (C1, S5, …) are those of the table of hard cases.
+/// Named geometries that several tests use; closed forms stand in the comments. Letters with a
+/// number (C1, S5, …) are those of the table of hard cases.
 
 #include "Oracle.h"
 
@@ -67,7 +67,8 @@ inline Points points(std::initializer_list<Vector3> columns)
 }
 
 /// Clamped on [start, end] with equal spans.
-inline std::vector<double> clamped_knots(int degree, int spans, double start = 0.0, double end = 1.0)
+inline std::vector<double> clamped_knots(
+  int degree, int spans, double start = 0.0, double end = 1.0)
 {
   std::vector<double> knots(degree + 1, start);
   for (int i = 1; i < spans; ++i)
@@ -94,11 +95,11 @@ inline std::vector<double> uniform_knots(int degree, int spans)
 inline std::vector<double> random_knots(Random& random, int degree, int spans, bool clamped)
 {
   std::vector<double> knots;
-  const auto step = [&](double low, double high) {
-    return std::round(random.uniform(low, high) * 0x1p20) * 0x1p-20;
-  };
+  const auto step = [&](double low, double high)
+  { return std::round(random.uniform(low, high) * 0x1p20) * 0x1p-20; };
   double at = step(-1.0, 1.0);
-  const auto outside = [&](int count) {
+  const auto outside = [&](int count)
+  {
     for (int i = 0; i < count; ++i)
     {
       at += i % 3 == 2 ? 0.0 : step(0.1, 1.0);
@@ -113,7 +114,9 @@ inline std::vector<double> random_knots(Random& random, int degree, int spans, b
     const int most = random.integer(0, 2) == 0 ? degree + 1 : 1;
     const int inside = random.integer(1, most);
     at += step(0.2, 1.0);
-    const int multiplicity = i == 0 ? degree + 1 - before : i == spans ? degree + 1 - after : inside;
+    const int multiplicity = i == 0 ? degree + 1 - before
+      : i == spans                  ? degree + 1 - after
+                                    : inside;
     knots.insert(knots.end(), multiplicity, at);
   }
   at += 0.125;
@@ -137,7 +140,7 @@ inline Arcs unit_arcs(double degrees, int arcs)
   for (int i = 0; i <= 2 * arcs; ++i)
   {
     const bool corner = i % 2 == 1;
-    const double angle = std::fmod(i * half, 360.0); // full circles close exactly
+    const double angle = std::fmod(i * half, 360.0);  // full circles close exactly
     const bool right = std::fmod(angle, 90.0) == 0.0; // no 6e-17 where a 0 is meant
     const Vector3 unit(std::cos(angle * radian), std::sin(angle * radian), 0.0);
     const double weight = std::cos(half * radian);
@@ -162,7 +165,8 @@ inline Curve polynomial_curve(int degree, std::vector<double> knots, const Point
 /// C1, C2: (t, t²) for t in [−1, 1]; local parameter t + 1.
 inline Curve parabola()
 {
-  return polynomial_curve(2, { -1, -1, -1, 1, 1, 1 }, points({ { -1, 1, 0 }, { 0, -1, 0 }, { 1, 1, 0 } }));
+  return polynomial_curve(
+    2, { -1, -1, -1, 1, 1, 1 }, points({ { -1, 1, 0 }, { 0, -1, 0 }, { 1, 1, 0 } }));
 }
 
 /// C3: degree 1 through (0,0), (1,1), (2,0), knots 0, 1, 2.
@@ -174,15 +178,15 @@ inline Curve tent()
 /// C4: a closed cubic Bézier curve whose seam (0,0) is a corner.
 inline Curve closed_with_corner()
 {
-  return polynomial_curve(3, { 0, 0, 0, 0, 1, 1, 1, 1 },
-    points({ { 0, 0, 0 }, { 4, 3, 0 }, { -4, 3, 0 }, { 0, 0, 0 } }));
+  return polynomial_curve(
+    3, { 0, 0, 0, 0, 1, 1, 1, 1 }, points({ { 0, 0, 0 }, { 4, 3, 0 }, { -4, 3, 0 }, { 0, 0, 0 } }));
 }
 
 /// C5: (t³, 0).
 inline Curve stalled_line()
 {
-  return polynomial_curve(3, { 0, 0, 0, 0, 1, 1, 1, 1 },
-    points({ { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }));
+  return polynomial_curve(
+    3, { 0, 0, 0, 0, 1, 1, 1, 1 }, points({ { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }));
 }
 
 /// C6, C7: a rational circle in the plane z = centre.z, domain [0, 360] (not proportional to the
@@ -197,12 +201,12 @@ inline Curve circle(double radius = 10.0, const Vector3& centre = Vector3::Zero(
 /// C8: the line (t, 0) on [0, 1] and, after a gap, (t, 1) on [1, 2].
 inline Curve line_with_gap()
 {
-  return polynomial_curve(1, { 0, 0, 1, 1, 2, 2 },
-    points({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 } }));
+  return polynomial_curve(
+    1, { 0, 0, 1, 1, 2, 2 }, points({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 } }));
 }
 
-/// C9: closed and smooth, a cubic stored unclamped over `n` poles (n + 3 with the repeated ones) on the
-/// circle of radius 1; the first and last poles differ.
+/// C9: closed and smooth, a cubic stored unclamped over `n` poles (n + 3 with the repeated ones) on
+/// the circle of radius 1; the first and last poles differ.
 inline Curve periodic(int n = 8)
 {
   Points net(3, n + 3);
@@ -223,8 +227,8 @@ inline Curve open_with_matching_poles()
 
 // === Surfaces
 
-/// The tensor product of a profile (columns (radius, 0, z), run along v) turned about z: the circle runs
-/// along u.
+/// The tensor product of a profile (columns (radius, 0, z), run along v) turned about z: the circle
+/// runs along u.
 inline Surface revolve(const std::vector<double>& knots_v, int degree_v, const Points& profile,
   const Eigen::VectorXd& weights, double degrees = 360.0, int arcs = 4)
 {
@@ -236,8 +240,8 @@ inline Surface revolve(const std::vector<double>& knots_v, int degree_v, const P
   {
     for (Eigen::Index i = 0; i < nu; ++i)
     {
-      net.col(j * nu + i) =
-        Vector3(profile(0, j) * turn.points(0, i), profile(0, j) * turn.points(1, i), profile(2, j));
+      net.col(j * nu + i) = Vector3(
+        profile(0, j) * turn.points(0, i), profile(0, j) * turn.points(1, i), profile(2, j));
       all[j * nu + i] = turn.weights[i] * weights[j];
     }
   }
@@ -248,7 +252,8 @@ inline Surface revolve(const std::vector<double>& knots_v, int degree_v, const P
 /// S1: z = x·y over [−1, 1]².
 inline Surface saddle()
 {
-  return Surface(KnotVector(1, { -1, -1, 1, 1 }, "KnotsU"), KnotVector(1, { -1, -1, 1, 1 }, "KnotsV"),
+  return Surface(KnotVector(1, { -1, -1, 1, 1 }, "KnotsU"),
+    KnotVector(1, { -1, -1, 1, 1 }, "KnotsV"),
     points({ { -1, -1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { 1, 1, 1 } }));
 }
 
@@ -262,7 +267,8 @@ inline Surface cylinder(double radius = 10.0, double degrees = 270.0, int arcs =
 /// S3: the plane x = 0 over 0 ≤ y, z ≤ 10 with y = u, z = v.
 inline Surface square()
 {
-  return Surface(KnotVector(1, { 0, 0, 10, 10 }, "KnotsU"), KnotVector(1, { 0, 0, 10, 10 }, "KnotsV"),
+  return Surface(KnotVector(1, { 0, 0, 10, 10 }, "KnotsU"),
+    KnotVector(1, { 0, 0, 10, 10 }, "KnotsV"),
     points({ { 0, 0, 0 }, { 0, 10, 0 }, { 0, 0, 10 }, { 0, 10, 10 } }));
 }
 
@@ -280,7 +286,8 @@ inline Surface sphere(double radius = 1.0)
   Eigen::VectorXd weights(5);
   weights << 1, half, 1, half, 1;
   return revolve({ -90, -90, -90, 0, 0, 90, 90, 90 }, 2,
-    radius * points({ { 0, 0, -1 }, { 1, 0, -1 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 0, 1 } }), weights);
+    radius * points({ { 0, 0, -1 }, { 1, 0, -1 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 0, 1 } }),
+    weights);
 }
 
 /// S6: axis z, domain [0, 360]²; v = 0 is the outer equator.
@@ -311,9 +318,9 @@ inline Surface cusp()
     KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"), net);
 }
 
-/// S8: a helicoid strip, radius from 0.5 (v = 0) to 1 (v = 1), z = pitch · u for u turns. The turn is an
-/// unclamped cubic with 64 spans a turn whose knots lie on the helix to 1e-16, between them to 1e-7; half
-/// turns about the radial line through a knot map it onto itself (ends apart).
+/// S8: a helicoid strip, radius from 0.5 (v = 0) to 1 (v = 1), z = pitch · u for u turns. The turn
+/// is an unclamped cubic with 64 spans a turn whose knots lie on the helix to 1e-16, between them
+/// to 1e-7; half turns about the radial line through a knot map it onto itself (ends apart).
 inline Surface helical_ribbon(int turns = 7, double pitch = 0.25)
 {
   const int spans = 64;
@@ -327,8 +334,8 @@ inline Surface helical_ribbon(int turns = 7, double pitch = 0.25)
     {
       const double radius = (0.5 + 0.5 * j) * shrink;
       const int phase = (i - 1 + spans) % spans;
-      net.col(j * nu + i) = Vector3(radius * std::cos(phase * step), radius * std::sin(phase * step),
-        pitch * (i - 1) / spans);
+      net.col(j * nu + i) = Vector3(
+        radius * std::cos(phase * step), radius * std::sin(phase * step), pitch * (i - 1) / spans);
     }
   }
   std::vector<double> knots;

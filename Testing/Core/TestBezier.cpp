@@ -50,8 +50,8 @@ oracle::Vector point(const BezierPiece<N>& piece, const std::array<Real, N>& fra
   return sum.template head<3>() / sum[3];
 }
 
-/// Largest distance, relative to the size, between all pieces and the oracle's spline (both relative
-/// to the centre), also at the corners where the piece's own side counts.
+/// Largest distance, relative to the size, between all pieces and the oracle's spline (both
+/// relative to the centre), also at the corners where the piece's own side counts.
 template <int N, class Geometry>
 double extraction_error(const Geometry& geometry)
 {

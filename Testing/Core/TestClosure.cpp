@@ -93,8 +93,7 @@ TEST(Closure, ToleranceIsRelativeToTheSize)
     {
       // A loop with a box of 3 by 4, diagonal 5.
       const Curve curve = shapes::polynomial_curve(1, { 0, 0, 1, 2, 3, 3 },
-        scale *
-          shapes::points({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 4, 0 }, { 5.0 * gap, 0, 0 } }));
+        scale * shapes::points({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 4, 0 }, { 5.0 * gap, 0, 0 } }));
       EXPECT_EQ(curve.direction(0).closed, gap < 1e-9) << scale << " " << gap;
     }
   }
@@ -139,11 +138,11 @@ TEST(Closure, OpeningInOneSpanOfManyIsSeen)
 
 TEST(Closure, RationalSidesThatMeetOnlyAtSomePlacesAreOpen)
 {
-  // Both sides run along the same line from 0 to 1, at speeds that differ by the weights alone; they
-  // agree at the ends and nowhere else.
+  // Both sides run along the same line from 0 to 1, at speeds that differ by the weights alone;
+  // they agree at the ends and nowhere else.
   const KnotVector line(1, { 0, 0, 1, 1 });
-  const Points net = shapes::points({ { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
-    { 1, 0, 0 } });
+  const Points net = shapes::points(
+    { { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 } });
   Eigen::VectorXd weights(6);
   weights << 1, 1, 1, 1, 1, 4;
   const KnotVector three(1, { 0, 0, 1, 2, 2 });
@@ -153,8 +152,8 @@ TEST(Closure, RationalSidesThatMeetOnlyAtSomePlacesAreOpen)
 
 TEST(Closure, SidesOfHighDegreeThatMeetAtManyPlacesAreOpen)
 {
-  // Polynomial sides that differ by a multiple of Π (v − place_k), at the Chebyshev–Lobatto points of
-  // every number that is too small for the degree.
+  // Polynomial sides that differ by a multiple of Π (v − place_k), at the Chebyshev–Lobatto points
+  // of every number that is too small for the degree.
   for (int degree = 2; degree <= 12; ++degree)
   {
     std::vector<double> difference{ 1.0 }; // Bernstein ordinates
@@ -179,8 +178,8 @@ TEST(Closure, SidesOfHighDegreeThatMeetAtManyPlacesAreOpen)
       net.col(3 * j + 1) = Vector3(1, j, 0);
       net.col(3 * j + 2) = Vector3(difference[j] / largest, j, 0);
     }
-    const Surface surface(KnotVector(1, { 0, 0, 1, 2, 2 }),
-      KnotVector(degree, shapes::clamped_knots(degree, 1)), net);
+    const Surface surface(
+      KnotVector(1, { 0, 0, 1, 2, 2 }), KnotVector(degree, shapes::clamped_knots(degree, 1)), net);
     expect_closed(surface, false, false);
   }
 }
@@ -222,4 +221,5 @@ TEST(Closure, OfGeometryWithoutKnots)
   EXPECT_FALSE(Cylinder(0.75 * turn).direction(0).closed);
   // Without a list of knots origin + local stands in.
   EXPECT_EQ(full.to_domain({ 1.25, 0.5 }), Eigen::Vector2d(1.25, 0.5));
+  EXPECT_EQ(full.to_domain({ 0.0, 1.0 }), Eigen::Vector2d(0.0, 1.0));
 }

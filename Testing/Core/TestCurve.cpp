@@ -55,17 +55,17 @@ void expect_refused(const Make& make, GeometryDefect defect, const std::string& 
 }
 
 /// Largest distance of the point at many parameters from the oracle's, relative to the size.
-double point_error(const Curve& curve, const oracle::Spline<1>& judge, shapes::Random& random,
-  const Vector3& centre)
+double point_error(
+  const Curve& curve, const oracle::Spline<1>& judge, shapes::Random& random, const Vector3& centre)
 {
   double worst = 0.0;
   for (int i = 0; i < 60; ++i)
   {
-    const double t = i == 0 ? 0.0 : i == 1 ? curve.knots().length()
-                                           : random.uniform(0.0, curve.knots().length());
+    const double t = i == 0 ? 0.0
+      : i == 1              ? curve.knots().length()
+                            : random.uniform(0.0, curve.knots().length());
     const Real parameter = static_cast<Real>(curve.knots().domain_start()) + t;
-    const oracle::Vector error =
-      jet(curve, t, 0).point.cast<Real>() + centre.cast<Real>() -
+    const oracle::Vector error = jet(curve, t, 0).point.cast<Real>() + centre.cast<Real>() -
       judge.point({ parameter }, { i == 1 });
     worst = std::max(worst, static_cast<double>(error.norm()) / curve.size());
   }
@@ -338,7 +338,8 @@ TEST(Curve, CentreLiesNearTheMiddleOfTheBox)
 
 TEST(Curve, NearTheOriginControlPointsStayAsTheyAre)
 {
-  const Points net = shapes::points({ { -1, -0.3, 0.1 }, { 1e-17, 0.4, 1e-20 }, { 1.1, 0.1, -0.3 } });
+  const Points net =
+    shapes::points({ { -1, -0.3, 0.1 }, { 1e-17, 0.4, 1e-20 }, { 1.1, 0.1, -0.3 } });
   const Curve curve = shapes::polynomial_curve(2, { 0, 0, 0, 1, 1, 1 }, net);
   EXPECT_EQ(curve.centre(), Vector3(0, 0, 0));
   EXPECT_EQ(curve.local_control_points(), net);
@@ -347,7 +348,8 @@ TEST(Curve, NearTheOriginControlPointsStayAsTheyAre)
 TEST(Curve, OfOnePointEvaluates)
 {
   const Vector3 point(7.1, 1e7 / 3, -2e-300);
-  const Curve curve = shapes::polynomial_curve(3, shapes::clamped_knots(3, 2), point.replicate(1, 5));
+  const Curve curve =
+    shapes::polynomial_curve(3, shapes::clamped_knots(3, 2), point.replicate(1, 5));
   EXPECT_EQ(curve.size(), 0.0);
   EXPECT_EQ(curve.direction(0).speed, 0.0);
   EXPECT_EQ(place(curve, 0.3), point);
@@ -395,8 +397,8 @@ TEST(Curve, ParametersOutsideTheDomainAreNotClamped)
 
 TEST(Curve, SpeedIsTheMeanOfTheDerivative)
 {
-  const Curve line = shapes::polynomial_curve(
-    1, { 2, 2, 6, 6 }, shapes::points({ { 0, 0, 0 }, { 0, 8, 0 } }));
+  const Curve line =
+    shapes::polynomial_curve(1, { 2, 2, 6, 6 }, shapes::points({ { 0, 0, 0 }, { 0, 8, 0 } }));
   EXPECT_NEAR(line.direction(0).speed, 2.0, 1e-15);
   // ∫ 1 + 4x² over [−1, 1], halved: 1 + 4/3
   EXPECT_NEAR(shapes::parabola().direction(0).speed, std::sqrt(7.0 / 3.0), 1e-14);

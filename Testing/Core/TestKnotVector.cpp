@@ -38,14 +38,14 @@ void expect_refused(
 
 TEST(KnotVector, RefusalsNameArrayIndexAndValue)
 {
-  expect_refused(0, { 0, 1 }, GeometryDefect::Degree, "KnotsU has the degree 0; it must be 1 to 30");
   expect_refused(
-    31, std::vector<double>(80), GeometryDefect::Degree, "KnotsU has the degree 31; it must be 1 to 30");
+    0, { 0, 1 }, GeometryDefect::Degree, "KnotsU has the degree 0; it must be 1 to 30");
+  expect_refused(31, std::vector<double>(80), GeometryDefect::Degree,
+    "KnotsU has the degree 31; it must be 1 to 30");
   expect_refused(3, { 0, 0, 0, 0, 1, 1, 1 }, GeometryDefect::Count,
     "KnotsU holds 7 knots; degree 3 needs at least 8");
   expect_refused(3, {}, GeometryDefect::Count, "KnotsU holds 0 knots; degree 3 needs at least 8");
-  expect_refused(
-    1, { 0, 0, -kNaN, 1 }, GeometryDefect::NotFinite, "KnotsU[2] = nan is not finite");
+  expect_refused(1, { 0, 0, -kNaN, 1 }, GeometryDefect::NotFinite, "KnotsU[2] = nan is not finite");
   expect_refused(
     1, { 0, 0, 1, kInfinity }, GeometryDefect::NotFinite, "KnotsU[3] = inf is not finite");
   expect_refused(1, { -1e308, -1e308, 1e308, 1e308 }, GeometryDefect::NotFinite,
@@ -143,6 +143,13 @@ TEST(KnotVector, SpansOfUnclampedKnotsStayInTheDomain)
   EXPECT_EQ(knots.find_span(0.0, Side::Right), 3);
   EXPECT_EQ(knots.find_span(5.0, Side::Right), 4); // 8 is the end; what follows is outside
   EXPECT_EQ(knots.find_span(7.0, Side::Right), 4);
+  // The domain ends with the second of two equal knots; [8, 8] has no length either.
+  const KnotVector repeated(1, { 1, 2, 5, 8, 8, 10 });
+  for (const Side side : { Side::Left, Side::Right })
+  {
+    EXPECT_EQ(repeated.find_span(6.0, side), 2);
+    EXPECT_EQ(repeated.find_span(7.0, side), 2);
+  }
 }
 
 TEST(KnotVector, BasisSumsToOneAndDerivativesToZero)
@@ -224,7 +231,7 @@ TEST(KnotVector, BasisIsContinuedOutsideItsSpan)
 {
   const KnotVector knots(2, { 0, 0, 0, 1, 2, 2, 2 });
   double values[3];
-  knots.basis(2, 1.5, 0, values); // the polynomials of [0, 1] at 1.5
+  knots.basis(2, 1.5, 0, values);                      // the polynomials of [0, 1] at 1.5
   EXPECT_NEAR(values[0], 0.25, 1e-15);                 // (1 − t)²
   EXPECT_NEAR(values[1], 2 * 1.5 - 1.5 * 2.25, 1e-15); // 2t − 3t²/2
   EXPECT_NEAR(values[2], 1.125, 1e-15);                // t²/2

@@ -27,9 +27,12 @@ TEST(Oracle, DerivativesOfAPolynomial)
     shapes::points({ { 0, 1, 0 }, { 0, 1, 0 }, { 0, 1, 0 }, { 8, -7, 0 } }));
   EXPECT_LE((cubic.point({ 1.5L }) - Vector(3.375L, -2.375L, 0)).norm(), 1e-18L);
   const Vector direction(1, -1, 0);
-  EXPECT_LE((oracle::derivative<1>(cubic, { 3 }, { 1.5L }, { 1 }) - 6.75L * direction).norm(), 1e-15L);
-  EXPECT_LE((oracle::derivative<1>(cubic, { 3 }, { 1.5L }, { 2 }) - 9.0L * direction).norm(), 1e-12L);
-  EXPECT_LE((oracle::derivative<1>(cubic, { 3 }, { 1.5L }, { 3 }) - 6.0L * direction).norm(), 1e-9L);
+  EXPECT_LE(
+    (oracle::derivative<1>(cubic, { 3 }, { 1.5L }, { 1 }) - 6.75L * direction).norm(), 1e-15L);
+  EXPECT_LE(
+    (oracle::derivative<1>(cubic, { 3 }, { 1.5L }, { 2 }) - 9.0L * direction).norm(), 1e-12L);
+  EXPECT_LE(
+    (oracle::derivative<1>(cubic, { 3 }, { 1.5L }, { 3 }) - 6.0L * direction).norm(), 1e-9L);
 }
 
 TEST(Oracle, SidesOfAGap)
@@ -51,10 +54,12 @@ TEST(Oracle, NearestOnCurves)
   EXPECT_NEAR(kink.distance, 1.0L, kTolerance);
   EXPECT_EQ(kink.parameter[0], 1.0L);
   // C4: the seam
-  EXPECT_NEAR(Nearest<1>(shapes::spline_of(shapes::closed_with_corner()))(Vector(0, -1, 0)).distance,
-    1.0L, kTolerance);
+  EXPECT_NEAR(
+    Nearest<1>(shapes::spline_of(shapes::closed_with_corner()))(Vector(0, -1, 0)).distance, 1.0L,
+    kTolerance);
   // C5
-  const Foot<1> stalled = Nearest<1>(shapes::spline_of(shapes::stalled_line()))(Vector(0.001L, 1, 0));
+  const Foot<1> stalled =
+    Nearest<1>(shapes::spline_of(shapes::stalled_line()))(Vector(0.001L, 1, 0));
   EXPECT_NEAR(stalled.distance, 1.0L, kTolerance);
   EXPECT_NEAR(stalled.point[0], 0.001L, 1e-9L);
   // C6: off and on the curve
@@ -69,15 +74,15 @@ TEST(Oracle, NearestOnCurves)
 
 TEST(Oracle, NearestOnSurfaces)
 {
-  const auto distance = [](const Surface& surface, const Vector& query) {
-    return Nearest<2>(shapes::spline_of(surface))(query).distance;
-  };
+  const auto distance = [](const Surface& surface, const Vector& query)
+  { return Nearest<2>(shapes::spline_of(surface))(query).distance; };
   // S1 to S8
   EXPECT_NEAR(distance(shapes::saddle(), Vector(0, 0, 1.5L)), std::sqrt(2.0L), kTolerance);
   const Real root = std::sqrt(2.0L);
   EXPECT_NEAR(distance(shapes::cylinder(), Vector(root, -root, 5)),
     std::sqrt(2.0L + (10.0L - root) * (10.0L - root)), 10.0L * kTolerance);
-  EXPECT_NEAR(distance(shapes::square(), Vector(5, 5, 100)), std::sqrt(8125.0L), 100.0L * kTolerance);
+  EXPECT_NEAR(
+    distance(shapes::square(), Vector(5, 5, 100)), std::sqrt(8125.0L), 100.0L * kTolerance);
   EXPECT_NEAR(distance(shapes::triangle(), Vector(-1, -1, 1)), std::sqrt(3.0L), kTolerance);
   EXPECT_NEAR(distance(shapes::sphere(), Vector(0, 0, 2)), 1.0L, kTolerance);
   EXPECT_NEAR(distance(shapes::sphere(), Vector(1e-9L, 0, 2)), 1.0L + 2.5e-19L, kTolerance);

@@ -75,8 +75,8 @@ double point_error(const Surface& surface, const oracle::Spline<2>& judge, shape
   for (int i = 0; i < 40; ++i)
   {
     const Place t = random_place(surface, random);
-    const oracle::Vector error = surface.point(t).cast<Real>() + centre.cast<Real>() -
-      judge.point(own_parameters(surface, t));
+    const oracle::Vector error =
+      surface.point(t).cast<Real>() + centre.cast<Real>() - judge.point(own_parameters(surface, t));
     worst = std::max(worst, static_cast<double>(error.norm()) / surface.size());
   }
   return worst;
@@ -218,8 +218,8 @@ TEST(Surface, HelicalRibbonIsAHelicoid)
     const double u = i / 192.0;
     const Vector3 p = place(surface, u, 0.5);
     const double angle = 2.0 * std::acos(-1.0) * u;
-    expect_near(p, { 0.75 * std::cos(angle), 0.75 * std::sin(angle), 0.25 * u },
-      i % 3 == 0 ? 1e-14 : 2e-7);
+    expect_near(
+      p, { 0.75 * std::cos(angle), 0.75 * std::sin(angle), 0.25 * u }, i % 3 == 0 ? 1e-14 : 2e-7);
   }
 }
 
@@ -230,8 +230,8 @@ TEST(Surface, PointsEqualTheOraclesAtAllDegreesKnotsAndWeights)
   {
     for (const double decades : { 0.0, 3.0, 6.0 })
     {
-      const auto arrays =
-        shapes::random_arrays<2>(random, { degree, 1 + (7 * degree) % 20 }, 3, degree % 2 == 0, decades);
+      const auto arrays = shapes::random_arrays<2>(
+        random, { degree, 1 + (7 * degree) % 20 }, 3, degree % 2 == 0, decades);
       const Surface surface = arrays.geometry();
       EXPECT_LE(point_error(surface, arrays.spline(), random, surface.centre()), 4e-15)
         << "degree " << degree << " decades " << decades;
@@ -246,8 +246,8 @@ TEST(Surface, DerivativesEqualDifferences)
   {
     for (const double decades : { 0.0, 3.0, 6.0 })
     {
-      const auto arrays =
-        shapes::random_arrays<2>(random, { degree, 1 + (3 * degree) % 20 }, 2, degree % 2 == 0, decades);
+      const auto arrays = shapes::random_arrays<2>(
+        random, { degree, 1 + (3 * degree) % 20 }, 2, degree % 2 == 0, decades);
       const Surface surface = arrays.geometry();
       for (int i = 0; i < 4; ++i)
       {

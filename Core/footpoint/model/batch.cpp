@@ -8,8 +8,10 @@ namespace footpoint
 namespace
 {
 
-/// Points between two looks at progress and cancellation: some milliseconds of work.
-constexpr std::int64_t kBlock = 4096;
+/// Points between two looks at progress and cancellation: some tens of milliseconds of work at up to
+/// 30 µs a point; where all feet are sought a point takes a hundred times as long.
+constexpr std::int64_t kBlock = 1024;
+constexpr std::int64_t kBlockOfAllFeet = 64;
 
 bool wants_all(const InversionOptions& options)
 {
@@ -56,9 +58,10 @@ InversionResult invert(const PointInverter& inverter, const Points& points,
   const std::int64_t count = points.cols();
   InversionResult result;
   result.feet.assign(count, not_reached());
-  for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += kBlock)
+  const std::int64_t step = all ? kBlockOfAllFeet : kBlock;
+  for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += step)
   {
-    const std::int64_t block = std::min(kBlock, count - begin);
+    const std::int64_t block = std::min(step, count - begin);
     std::vector<std::vector<Foot>> every(all ? block : 0);
     execution.parallel_for(block,
       [&](std::int64_t from, std::int64_t to)
@@ -88,6 +91,7 @@ InversionResult invert_sequence(
   const PointInverter& inverter, const Points& points, const Execution& execution)
 {
   const bool all = wants_all(inverter.options());
+  const std::int64_t step = all ? kBlockOfAllFeet : kBlock;
   const std::int64_t count = points.cols();
   InversionResult result;
   result.feet.assign(count, not_reached());
@@ -102,7 +106,7 @@ InversionResult invert_sequence(
     {
       start = { found.foot.face, found.foot.parameter };
     }
-    if ((k + 1) % kBlock == 0)
+    if ((k + 1) % step == 0)
     {
       result.cancelled = !execution.proceed(static_cast<double>(k + 1) / count);
     }

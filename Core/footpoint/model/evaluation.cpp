@@ -3,6 +3,8 @@
 
 #include "footpoint/solvers/foot_conditions.h"
 
+#include <algorithm>
+
 namespace footpoint
 {
 namespace
@@ -41,7 +43,8 @@ std::array<Parameter<2>, 3> inward(const ParametricSurface& surface, const Param
   for (int i = 0; i < 2; ++i)
   {
     const double length = surface.direction(i).length;
-    result[i] = Parameter<2>::Unit(i) * (t(i) >= length ? -length : length);
+    // Feet end up a rounding beside a pole: towards it would be the wrong side.
+    result[i] = Parameter<2>::Unit(i) * (t(i) > 0.5 * length ? -length : length);
   }
   // Across a collapsed side first: along it nothing changes.
   if ((t(1) == 0.0 && surface.direction(1).collapsed[0]) ||
@@ -66,20 +69,18 @@ const ParametricGeometry<N>& geometry_of(const Patch& patch)
   }
 }
 
-/// Whether a parameter lies in the domain of a patch.
+/// How far a parameter lies outside the domain of a patch, in units of that domain.
 template <int N>
-bool holds(const ParametricGeometry<N>& geometry, const Parameter<2>& parameter)
+double outside(const ParametricGeometry<N>& geometry, const Parameter<2>& parameter)
 {
+  double largest = 0.0;
   for (int i = 0; i < N; ++i)
   {
     const Direction& direction = geometry.direction(i);
     const double local = parameter(i) - direction.origin;
-    if (local < 0.0 || local > direction.length)
-    {
-      return false;
-    }
+    largest = std::max({ largest, -local / direction.length, local / direction.length - 1.0 });
   }
-  return true;
+  return largest;
 }
 
 template <int N>
@@ -181,16 +182,12 @@ Vector3 mean_normal(const ParametricSurface& surface, const Parameter<2>& t, con
 
 Evaluation evaluate(const Face& face, const Parameter<2>& parameter)
 {
-  const Patch* patch = &face.patches.front();
-  for (const Patch& candidate : face.patches)
+  auto distance = [&parameter](const Patch& patch)
   {
-    if (candidate.curve ? holds<1>(*candidate.curve, parameter)
-                        : holds<2>(*candidate.surface, parameter))
-    {
-      patch = &candidate;
-      break;
-    }
-  }
+    return patch.curve ? outside<1>(*patch.curve, parameter) : outside<2>(*patch.surface, parameter);
+  };
+  const auto patch = std::min_element(face.patches.begin(), face.patches.end(),
+    [&](const Patch& a, const Patch& b) { return distance(a) < distance(b); });
   return patch->curve ? evaluate_patch<1>(*patch, parameter, face.reversed)
                       : evaluate_patch<2>(*patch, parameter, face.reversed);
 }

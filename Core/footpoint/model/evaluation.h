@@ -30,7 +30,7 @@ Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, con
 Vector3 mean_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides);
 
 /// Evaluates a face at parameters of its own domain (curves: the first one counts). Closed directions
-/// are wrapped, open ones clamped; of several patches the one whose domain holds the parameter.
+/// are wrapped, open ones clamped; of several patches the one whose domain is nearest to the parameter.
 /// \pre the face has a patch and the parameter is finite
 Evaluation evaluate(const Face& face, const Parameter<2>& parameter);
 

@@ -90,6 +90,10 @@ PointInverter::Implementation::Implementation(Model model, const InversionOption
     for (std::size_t i = 0; i < this->Faces[k].patches.size(); ++i)
     {
       const Patch& patch = this->Faces[k].patches[i];
+      if (patch.surface)
+      {
+        make_step<2>(options.solver.method); // throws here, not in the middle of a query
+      }
       PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], nullptr };
       prepared.search = patch.curve
         ? make_patch_search<1>(patch.curve, options.solver, options.seeding, cells)

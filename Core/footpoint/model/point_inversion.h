@@ -68,7 +68,7 @@ class PointInverter
 {
 public:
   /// \param model      kept alive by shared pointers
-  /// \param options    as above
+  /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
   explicit PointInverter(Model model, const InversionOptions& options = {});
   ~PointInverter();
   PointInverter(PointInverter&&) noexcept;

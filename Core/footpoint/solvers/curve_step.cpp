@@ -54,11 +54,19 @@ double curvature_rate(const Frame<1>& frame, const OsculatingFrame& osculating)
 
 /// Eq. (24): the parameter step whose parabola has the same height over the tangent as Q.
 /// \param height (Q − c)·n
-/// \param sign   carries the sign of c'·(Q − c), eq. (25)
-double step_from_height(double height, double sign, const OsculatingFrame& osculating)
+/// \param along  (Q − c)·t, which gives the step its sign, eq. (25)
+double step_from_height(double height, double along, const OsculatingFrame& osculating)
 {
   const double length = std::sqrt(2.0 * std::abs(height) / osculating.curvature);
-  return std::copysign(length, sign) / osculating.speed;
+  return std::copysign(length, along) / osculating.speed;
+}
+
+/// (Q − c)·t of eq. (22). Its last term turns a step longer than √6 radii of curvature round: without
+/// it the published counts do not come out for starts beyond the centre of curvature.
+double along_tangent(double s, const OsculatingFrame& o)
+{
+  const double turned = o.curvature * s;
+  return s * (1.0 - turned * turned / 6.0);
 }
 
 /// Eq. (23): arc length to the foot on the osculating parabola, linearised.
@@ -100,17 +108,18 @@ double second_order_1(const Frame<1>& frame, const OsculatingFrame& o)
     return first_order(frame, o);
   }
   const double s = linear_arc(o);
-  return step_from_height(0.5 * o.curvature * s * s, s, o);
+  return step_from_height(0.5 * o.curvature * s * s, along_tangent(s, o), o);
 }
 
-/// Eq. (27), which is Δt = s / |c'| in exact arithmetic.
+/// Eq. (27), which is |Δt| = |s| / |c'| in exact arithmetic, with the sign of eq. (25).
 double second_order_2(const Frame<1>&, const OsculatingFrame& o)
 {
-  return linear_arc(o) / o.speed;
+  const double s = linear_arc(o);
+  return std::copysign(s, along_tangent(s, o)) / o.speed;
 }
 
-/// Eqs. (20), (22) with the change of curvature, (24), (25); the root of smaller magnitude. Where the
-/// roots are complex the linear s of eq. (23) is taken: the parabola has no foot to offer.
+/// Eqs. (20), (22) with the change of curvature, (24), (25); the root of smaller magnitude. NaN where
+/// the roots are complex: the model has no foot, and the method nothing to propose.
 double second_order_3(const Frame<1>& frame, const OsculatingFrame& o)
 {
   if (o.curvature == 0.0)
@@ -122,11 +131,10 @@ double second_order_3(const Frame<1>& frame, const OsculatingFrame& o)
   const double quadratic = 0.5 * rate * o.across - 0.5 * k * k * o.along;
   const double linear = k * o.across - 1.0;
   const double discriminant = linear * linear - 4.0 * quadratic * o.along;
-  const double s = discriminant >= 0.0
-    ? -2.0 * o.along / (linear + std::copysign(std::sqrt(discriminant), linear))
-    : linear_arc(o);
+  // NaN for a negative discriminant. In this form the smaller root loses no digits.
+  const double s = -2.0 * o.along / (linear + std::copysign(std::sqrt(discriminant), linear));
   const double height = 0.5 * k * s * s + rate * s * s * s / 6.0;
-  return step_from_height(height, s - k * k * s * s * s / 6.0, o);
+  return step_from_height(height, along_tangent(s, o), o);
 }
 
 } // namespace

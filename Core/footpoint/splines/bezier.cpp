@@ -21,8 +21,9 @@ struct Extraction
   Eigen::MatrixXd matrix; ///< Bézier point j = Σ_i control point (first + i) · matrix(i, j)
 };
 
-/// Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b (L.
-/// Ramshaw 1989). All its coefficients are sums of positive products; at high degree nothing cancels.
+/// Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b
+/// (L. Ramshaw 1989). All its coefficients are sums of positive products; at high degree nothing
+/// cancels.
 Extraction extract(const KnotVector& knots, double a, double b)
 {
   const int p = knots.degree();

@@ -11,8 +11,8 @@ namespace footpoint
 
 /// A polynomial or rational Bézier piece of a curve (N = 1) or surface (N = 2).
 ///
-/// Columns of `control` are homogeneous control points (w·x, w·y, w·z, w), positions relative to the
-/// geometry's centre, first direction fastest, (degree[0] + 1)(·(degree[1] + 1)) of them.
+/// Columns of `control` are homogeneous control points (w·x, w·y, w·z, w), positions relative to
+/// the geometry's centre, first direction fastest, (degree[0] + 1)(·(degree[1] + 1)) of them.
 template <int N>
 struct BezierPiece
 {

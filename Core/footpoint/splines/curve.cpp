@@ -14,7 +14,8 @@ namespace
 
 constexpr int kHighestOrder = 3;
 
-constexpr double kBinomial[4][4] = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 1, 2, 1, 0 }, { 1, 3, 3, 1 } };
+constexpr double kBinomial[4][4] = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 1, 2, 1, 0 },
+  { 1, 3, 3, 1 } };
 
 void check_count(const KnotVector& knots, Eigen::Index control_points)
 {
@@ -63,7 +64,8 @@ Jet<1> Curve::jet(const Parameter<1>& t, const Sides<1>& sides, int order) const
   Vector3 c[kHighestOrder + 1];
   if (!this->rational())
   {
-    std::transform(sums, sums + order + 1, c, [](const Eigen::Vector4d& sum) { return sum.head<3>(); });
+    std::transform(
+      sums, sums + order + 1, c, [](const Eigen::Vector4d& sum) { return sum.head<3>(); });
   }
   else
   {

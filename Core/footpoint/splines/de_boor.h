@@ -4,11 +4,11 @@
 namespace footpoint
 {
 
-/// One column of the Cox–de Boor triangle, in place: the `degree` basis functions of degree − 1 that
-/// live on a span become the degree + 1 functions of `degree`.
+/// One column of the Cox–de Boor triangle, in place: the `degree` basis functions of degree − 1
+/// that live on a span become the degree + 1 functions of `degree`.
 ///
-/// Called for degree 1, 2, … with the same t it yields basis functions; with another t at each step,
-/// the coefficients of the blossom (polar form) with these arguments (L. Ramshaw 1989).
+/// Called for degree 1, 2, … with the same t it yields basis functions; with another t at each
+/// step, the coefficients of the blossom (polar form) with these arguments (L. Ramshaw 1989).
 ///
 /// Knot differences are taken directly and both fractions are divided out, so that for t inside the
 /// span every value is a sum of positive terms, of full relative accuracy (which large ratios of

@@ -64,7 +64,8 @@ void check_domain(int degree, const std::vector<double>& knots, const std::strin
   if (!(knots[first] < knots[last]))
   {
     throw GeometryError(GeometryDefect::EmptyDomain,
-      "the domain from " + entry(name, knots, first) + " to " + entry(name, knots, last) + " is empty");
+      "the domain from " + entry(name, knots, first) + " to " + entry(name, knots, last) +
+        " is empty");
   }
   const std::size_t allowed = first + 1;
   for (std::size_t begin = 0, end = 0; begin < knots.size(); begin = end)
@@ -76,8 +77,8 @@ void check_domain(int degree, const std::vector<double>& knots, const std::strin
     if (end - begin > allowed)
     {
       throw GeometryError(GeometryDefect::Multiplicity,
-        entry(name, knots, begin) + " is repeated " + std::to_string(end - begin) + " times; degree " +
-          std::to_string(degree) + " allows " + std::to_string(allowed));
+        entry(name, knots, begin) + " is repeated " + std::to_string(end - begin) +
+          " times; degree " + std::to_string(degree) + " allows " + std::to_string(allowed));
     }
   }
 }
@@ -113,7 +114,7 @@ KnotVector::KnotVector(int degree, std::vector<double> knots, std::string name)
     this->Local.push_back(knot - this->domain_start());
   }
 
-  // Knots that differ by less than the rounding of the subtraction are one: evaluation sees them so.
+  // Knots that the rounding of the subtraction makes equal are one: evaluation sees them so.
   for (std::size_t i = 0; i < this->Local.size(); ++i)
   {
     const double at = this->Local[i];

@@ -37,7 +37,10 @@ public:
   KnotVector(int degree, std::vector<double> knots, std::string name = "Knots");
 
   int degree() const { return this->Degree; }
-  int number_of_control_points() const { return static_cast<int>(this->Knots.size()) - this->Degree - 1; }
+  int number_of_control_points() const
+  {
+    return static_cast<int>(this->Knots.size()) - this->Degree - 1;
+  }
   const std::vector<double>& knots() const { return this->Knots; }
   const std::string& name() const { return this->Name; }
 
@@ -61,7 +64,8 @@ public:
   /// \param t      local parameter; may lie outside the span (the polynomial is continued)
   /// \param order  highest derivative wanted, 0 … 3
   /// \param values receives (order + 1) rows of degree + 1 numbers: row k, column j is the k-th
-  ///               derivative of basis function span − degree + j. Derivatives above the degree are 0.
+  ///               derivative of basis function span − degree + j. Derivatives above the degree are
+  ///               0.
   /// Cox–de Boor recurrence; L. Piegl and W. Tiller, The NURBS Book (1997), algorithm A2.3
   /// (derivatives by repeated differences of lower degrees, equation 2.7). Allocates nothing.
   void basis(int span, double t, int order, double* values) const;

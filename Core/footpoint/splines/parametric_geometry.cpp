@@ -54,9 +54,8 @@ Vector3 point_of_side(const ParametricGeometry<N>& geometry, int i, int end, con
 std::vector<std::array<double, 2>> gauss_points(const std::vector<double>& spans)
 {
   const double offset = std::sqrt(0.15);
-  const std::array<std::array<double, 2>, 3> rule{
-    { { 0.5 - offset, 5.0 / 18.0 }, { 0.5, 4.0 / 9.0 }, { 0.5 + offset, 5.0 / 18.0 } }
-  };
+  const std::array<std::array<double, 2>, 3> rule{ { { 0.5 - offset, 5.0 / 18.0 },
+    { 0.5, 4.0 / 9.0 }, { 0.5 + offset, 5.0 / 18.0 } } };
   const std::size_t stride = (spans.size() - 2) / kSpeedSpans + 1;
   std::vector<std::array<double, 2>> points;
   for (std::size_t i = 0; i + 1 < spans.size(); i += stride)
@@ -131,8 +130,8 @@ Parameter<N> ParametricGeometry<N>::to_domain(const Parameter<N>& local) const
     const auto knot = std::lower_bound(direction.spans.begin(), direction.spans.end(), local[i]);
     const bool on_knot =
       !direction.knots.empty() && knot != direction.spans.end() && *knot == local[i];
-    parameter[i] = on_knot ? direction.knots[knot - direction.spans.begin()]
-                           : direction.origin + local[i];
+    parameter[i] =
+      on_knot ? direction.knots[knot - direction.spans.begin()] : direction.origin + local[i];
   }
   return parameter;
 }
@@ -169,16 +168,18 @@ void ParametricGeometry<N>::analyse(const std::array<int, N>& samples)
       ? std::vector<Sample>{ { 0.0, Side::Right } }
       : chebyshev_samples(this->Directions[other].spans, samples[other]);
 
-    direction.closed = std::all_of(across.begin(), across.end(), [&](const Sample& sample) {
-      return (point_of_side(*this, i, 0, sample) - point_of_side(*this, i, 1, sample)).norm() <=
-        tolerance;
-    });
+    direction.closed = std::all_of(across.begin(), across.end(),
+      [&](const Sample& sample)
+      {
+        return (point_of_side(*this, i, 0, sample) - point_of_side(*this, i, 1, sample)).norm() <=
+          tolerance;
+      });
     for (int end = 0; end < 2 && N > 1; ++end)
     {
       const Vector3 first = point_of_side(*this, i, end, across.front());
-      direction.collapsed[end] = std::all_of(across.begin(), across.end(), [&](const Sample& sample) {
-        return (point_of_side(*this, i, end, sample) - first).norm() <= tolerance;
-      });
+      direction.collapsed[end] = std::all_of(across.begin(), across.end(),
+        [&](const Sample& sample)
+        { return (point_of_side(*this, i, end, sample) - first).norm() <= tolerance; });
     }
   }
   const std::array<double, N> speeds = mean_speeds(*this);

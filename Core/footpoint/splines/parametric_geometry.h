@@ -15,10 +15,10 @@ struct Jet
 {
   static constexpr int kSecond = N * (N + 1) / 2;
 
-  Vector3 point;                                    ///< S
-  Eigen::Matrix<double, 3, N> first;                ///< columns S_u (, S_v)
-  Eigen::Matrix<double, 3, kSecond> second;         ///< columns S_uu (, S_uv, S_vv)
-  Eigen::Matrix<double, 3, N == 1 ? 1 : 0> third;   ///< curves only: C'''
+  Vector3 point;                                  ///< S
+  Eigen::Matrix<double, 3, N> first;              ///< columns S_u (, S_v)
+  Eigen::Matrix<double, 3, kSecond> second;       ///< columns S_uu (, S_uv, S_vv)
+  Eigen::Matrix<double, 3, N == 1 ? 1 : 0> third; ///< curves only: C'''
 };
 
 /// A line of constant parameter over which the map is not C1, so that one-sided limits differ.
@@ -38,12 +38,13 @@ struct Direction
   std::vector<Break> breaks;
   /// Local parameters of all knot lines, 0 and length included: the map is smooth between two.
   std::vector<double> spans;
-  /// The same knot lines in the geometry's own domain; may stay empty, origin + local stands in then.
+  /// The same knot lines in the geometry's own domain; may stay empty, origin + local stands in
+  /// then.
   std::vector<double> knots;
   /// The side at the start, at the end of this direction is one point in space (surfaces: a pole).
   std::array<bool, 2> collapsed{ { false, false } };
-  double speed = 1.0; ///< root mean square of |S_i| over the domain; tells a stalled from a slow one.
-                      ///< 0 where the geometry is a single point
+  double speed = 1.0; ///< root mean square of |S_i| over the domain; tells a stalled from a slow
+                      ///< one. 0 where the geometry is a single point
 };
 
 /// Two ends count as closed, a side as collapsed, when they agree to this fraction of the size:
@@ -74,7 +75,10 @@ public:
   /// Origin of the local coordinates: near the centre of the bounding box.
   const Vector3& centre() const { return this->Centre; }
 
-  Vector3 point(const Parameter<N>& t) const { return this->jet(t, Sides<N>::Constant(Side::Right), 0).point; }
+  Vector3 point(const Parameter<N>& t) const
+  {
+    return this->jet(t, Sides<N>::Constant(Side::Right), 0).point;
+  }
   Parameter<N> to_local(const Parameter<N>& parameter) const;
   /// The inverse; knot lines come back as the very numbers the geometry was given.
   Parameter<N> to_domain(const Parameter<N>& local) const;

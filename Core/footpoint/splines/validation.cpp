@@ -21,7 +21,8 @@ void check_control_points(const Points& control_points)
 {
   for (Eigen::Index i = 0; i < control_points.cols(); ++i)
   {
-    for (const double coordinate : { control_points(0, i), control_points(1, i), control_points(2, i) })
+    for (const double coordinate :
+      { control_points(0, i), control_points(1, i), control_points(2, i) })
     {
       if (!std::isfinite(coordinate))
       {

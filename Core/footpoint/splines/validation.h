@@ -28,8 +28,8 @@ Eigen::Matrix<double, 4, Eigen::Dynamic> homogeneous(
 /// Length, spans and breaks of the direction that a knot vector describes.
 Direction make_direction(const KnotVector& knots);
 
-/// Samples of a span at which agreement of two sides proves that they agree all along the span: they
-/// differ by A1/w1 − A2/w2, whose numerator has twice the degree where weights play a role.
+/// Samples of a span at which agreement of two sides proves that they agree all along the span:
+/// they differ by A1/w1 − A2/w2, whose numerator has twice the degree where weights play a role.
 inline int closure_samples(int degree, bool rational)
 {
   return (rational ? 2 : 1) * degree + 1;

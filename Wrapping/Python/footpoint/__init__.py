@@ -1,4 +1,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exact spline geometry in VTK pipelines: point inversion on NURBS curves and surfaces."""
+"""Exact spline geometry in VTK pipelines: point inversion on NURBS curves and surfaces.
+
+Point inversion finds, for a point P, the nearest point Q of a geometry (the foot point) and its
+parameters. Nothing is tessellated: distances and parameters are those of the exact geometry.
+
+In NumPy terms
+--------------
+    nurbs_surface, nurbs_curve   control points, knots and weights -> geometry
+    trimmed_face, model          geometry from parts: surface and trim loops, several faces
+    invert                       points -> feet, parameters, distances, statistics
+    evaluate                     parameters -> points, the inverse
+    Status, FootType             names of the numbers that `invert` returns
+
+In a VTK pipeline
+-----------------
+    vtkPointInversionFilter, vtkSplineEvaluator   the classes behind those functions
+
+Example
+-------
+>>> import numpy as np, footpoint
+>>> patch = footpoint.nurbs_surface(            # z = x y on the unit square
+...     [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]],
+...     knots_u=[0, 0, 1, 1], knots_v=[0, 0, 1, 1])
+>>> r = footpoint.invert([[0.5, 0.5, 0.25], [0.2, 0.3, 2.0]], patch)
+>>> r.parameters[0]
+array([0.5, 0.5])
+>>> np.allclose(footpoint.evaluate(patch, r.parameters), r.closest_points)
+True
+
+Geometry is plain VTK data (a vtkStructuredGrid of control points with the field data KnotsU and
+KnotsV), so VTK's readers and writers serve for it. Errors of the filters are ValueErrors that name
+the array, the index and the value.
+"""
 
 from .vtkFootpointFilters import *
+from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
+from .inversion import Feet, FootType, InversionResult, Status, invert
+from .evaluation import evaluate

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private: a search structure that is kept as long as the content it was built from.
+
+#ifndef CachedInverter_h
+#define CachedInverter_h
+
+#include "SourceGeometry.h"
+
+#include "footpoint/model/point_inversion.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace footpoint::conversion
+{
+
+class CachedInverter
+{
+public:
+  /// Builds the inverter, unless content and options are those of the last time.
+  /// \throw GeometryError where no face is left; the message has a line for each problem
+  void update(const SourceGeometry& geometry, const InversionOptions& options);
+
+  const PointInverter& inverter() const { return *this->Inverter; }
+  /// What was wrong with the faces that are not in the model.
+  const std::vector<std::string>& problems() const { return this->Problems; }
+  int number_of_builds() const { return this->NumberOfBuilds; }
+
+private:
+  std::unique_ptr<PointInverter> Inverter;
+  ContentHash Key;
+  std::vector<std::string> Problems;
+  int NumberOfBuilds = 0;
+};
+
+} // namespace footpoint::conversion
+
+#endif

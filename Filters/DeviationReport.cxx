@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DeviationReport.h"
+
+#include "FootArrays.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace footpoint::conversion
+{
+
+namespace
+{
+
+void replace(vtkFieldData* data, vtkAbstractArray* array)
+{
+  data->RemoveArray(array->GetName());
+  data->AddArray(array);
+}
+
+void write_number(vtkFieldData* data, const std::string& name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(value);
+  replace(data, array);
+}
+
+/// A column of numbers, one for each face.
+void add_column(vtkTable* table, const char* name,
+  const std::vector<DeviationStatistics>& statistics, double (*value)(const DeviationStatistics&))
+{
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(name);
+  for (const DeviationStatistics& row : statistics)
+  {
+    column->InsertNextValue(value(row));
+  }
+  table->AddColumn(column);
+}
+
+} // namespace
+
+void write_statistics(
+  const DeviationStatistics& statistics, const std::string& prefix, vtkFieldData* data)
+{
+  vtkNew<vtkIdTypeArray> count;
+  count->SetName((prefix + "DistanceCount").c_str());
+  count->InsertNextValue(static_cast<vtkIdType>(statistics.count));
+  replace(data, count);
+  write_number(data, prefix + "DistanceMinimum", statistics.minimum);
+  write_number(data, prefix + "DistanceMaximum", statistics.maximum);
+  write_number(data, prefix + "DistanceMean", statistics.mean);
+  write_number(data, prefix + "DistanceRMS", statistics.rms);
+  write_number(data, prefix + "DistanceStandardDeviation", statistics.standard_deviation);
+  write_number(data, prefix + "DistancePercentile95", statistics.percentile95);
+  vtkNew<vtkIdTypeArray> counts;
+  counts->SetName((prefix + "StatusCounts").c_str());
+  for (const std::int64_t number : statistics.status_counts)
+  {
+    counts->InsertNextValue(static_cast<vtkIdType>(number));
+  }
+  replace(data, counts);
+  write_number(data, prefix + "OutOfToleranceFraction", statistics.out_of_tolerance_fraction);
+}
+
+void write_face_table(
+  const std::vector<Foot>& feet, const Model& model, double tolerance, vtkTable* table)
+{
+  std::vector<std::vector<Foot>> feet_of_face(model.size());
+  for (const Foot& foot : feet)
+  {
+    if (has_foot(foot) && foot.face >= 0)
+    {
+      feet_of_face[static_cast<std::size_t>(foot.face)].push_back(foot);
+    }
+  }
+  std::vector<DeviationStatistics> statistics;
+  for (std::vector<Foot>& part : feet_of_face)
+  {
+    statistics.push_back(deviation_statistics(part, tolerance));
+    part = {};
+  }
+
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("FaceId");
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  vtkNew<vtkIdTypeArray> counts;
+  counts->SetName("Count");
+  for (std::size_t i = 0; i < model.size(); ++i)
+  {
+    ids->InsertNextValue(static_cast<vtkIdType>(i));
+    names->InsertNextValue(model[i].name);
+    counts->InsertNextValue(static_cast<vtkIdType>(statistics[i].count));
+  }
+  table->AddColumn(ids);
+  table->AddColumn(names);
+  table->AddColumn(counts);
+  using Row = const DeviationStatistics&;
+  add_column(table, "Minimum", statistics, [](Row row) { return row.minimum; });
+  add_column(table, "Maximum", statistics, [](Row row) { return row.maximum; });
+  add_column(table, "MaximumAbsolute", statistics,
+    [](Row row) { return std::max(std::abs(row.minimum), std::abs(row.maximum)); });
+  add_column(table, "Mean", statistics, [](Row row) { return row.mean; });
+  add_column(table, "RMS", statistics, [](Row row) { return row.rms; });
+  add_column(
+    table, "StandardDeviation", statistics, [](Row row) { return row.standard_deviation; });
+  add_column(table, "Percentile95", statistics, [](Row row) { return row.percentile95; });
+  add_column(table, "OutOfToleranceFraction", statistics,
+    [](Row row) { return row.out_of_tolerance_fraction; });
+}
+
+} // namespace footpoint::conversion

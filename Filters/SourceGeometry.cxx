@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SourceGeometry.h"
+
+#include "ParametricFunctionGeometry.h"
+
+#include "footpoint/common/errors.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkParametricFunction.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace footpoint::conversion
+{
+
+ContentHash SourceGeometry::hash() const
+{
+  ContentHash hash;
+  hash.add(static_cast<std::uint64_t>(this->flip));
+  if (this->source)
+  {
+    hash.add(this->source);
+  }
+  else if (this->function)
+  {
+    hash.add(std::string(this->function->GetClassName()));
+    hash.add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(this->function)));
+    hash.add(static_cast<std::uint64_t>(this->function->GetMTime()));
+  }
+  return hash;
+}
+
+ConvertedModel SourceGeometry::convert() const
+{
+  if (this->source)
+  {
+    return convert_to_model(this->source, this->flip);
+  }
+  ConvertedModel result;
+  try
+  {
+    result.model = convert_parametric_function(this->function, this->flip);
+  }
+  catch (const GeometryError& error)
+  {
+    result.model.resize(1);
+    result.problems.push_back({ 0, error.what() });
+  }
+  return result;
+}
+
+void fill_source_port_information(vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  // Composite data sets are named, so that the executive hands them over whole.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+}
+
+void request_whole_source(vtkInformationVector** inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = inputs[1]->GetInformationObject(0);
+  if (!info)
+  {
+    return;
+  }
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+} // namespace footpoint::conversion

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private: what all filters do with their second input, the geometry.
+
+#ifndef SourceGeometry_h
+#define SourceGeometry_h
+
+#include "GeometryHash.h"
+#include "SplineConversion.h"
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+class vtkParametricFunction;
+
+namespace footpoint::conversion
+{
+
+/// The geometry of a filter: a data object, else a parametric function.
+struct SourceGeometry
+{
+  vtkDataObject* source = nullptr;
+  vtkParametricFunction* function = nullptr; ///< used where there is no source
+  bool flip = false;                         ///< reverse the normals of all surfaces
+
+  bool exists() const { return this->source || this->function; }
+  /// By content; functions, whose content cannot be read, by identity and modification time.
+  ContentHash hash() const;
+  /// Never throws for bad geometry.
+  ConvertedModel convert() const;
+};
+
+/// Port 1: spline geometry, optional.
+void fill_source_port_information(vtkInformation* info);
+
+/// Asks port 1 for the whole geometry, whichever part of the output is wanted.
+void request_whole_source(vtkInformationVector** inputs);
+
+} // namespace footpoint::conversion
+
+#endif

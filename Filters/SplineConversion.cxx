@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplineConversion.h"
+
+#include "footpoint/common/errors.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+
+namespace footpoint::conversion
+{
+
+namespace
+{
+
+[[noreturn]] void refuse(GeometryDefect defect, const std::string& message)
+{
+  throw GeometryError(defect, message);
+}
+
+/// All values of a field data array, whether stored as tuples or as components; empty if missing.
+std::vector<double> read_field_array(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data ? data->GetArray(name) : nullptr;
+  std::vector<double> values;
+  if (array)
+  {
+    const int components = array->GetNumberOfComponents();
+    values.reserve(static_cast<std::size_t>(array->GetNumberOfValues()));
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      values.push_back(array->GetComponent(i / components, static_cast<int>(i % components)));
+    }
+  }
+  return values;
+}
+
+/// The knot vector of one direction, its degree implied by the numbers of knots and points.
+KnotVector read_knots(vtkStructuredGrid* net, int direction, int number_of_points)
+{
+  static const char* const kNames[] = { "KnotsU", "KnotsV" };
+  const std::string name = kNames[direction];
+  std::vector<double> knots = read_field_array(net->GetFieldData(), name.c_str());
+  if (knots.empty())
+  {
+    refuse(GeometryDefect::Format, "the field data array " + name + " is missing or empty");
+  }
+  const long implied = static_cast<long>(knots.size()) - number_of_points - 1;
+  const std::vector<double> degrees = read_field_array(net->GetFieldData(), "Degree");
+  if (!degrees.empty())
+  {
+    const auto at = static_cast<std::size_t>(direction);
+    if (at >= degrees.size())
+    {
+      refuse(GeometryDefect::Count, "the field data array Degree has 1 value, a surface needs 2");
+    }
+    // A degree that is no number or no integer can never equal the implied one.
+    if (degrees[at] != static_cast<double>(implied))
+    {
+      refuse(GeometryDefect::Count,
+        "Degree[" + std::to_string(direction) + "] = " + vtkVariant(degrees[at]).ToString() +
+          " does not fit: " + std::to_string(knots.size()) + " values in " + name + " and " +
+          std::to_string(number_of_points) + " control points mean degree " +
+          std::to_string(implied) + " (was the net cut, e.g. by an extraction filter?)");
+    }
+  }
+  if (implied < 1)
+  {
+    refuse(GeometryDefect::Count,
+      name + " has " + std::to_string(knots.size()) + " values, " +
+        std::to_string(number_of_points) + " control points need at least " +
+        std::to_string(number_of_points + 2));
+  }
+  return KnotVector(static_cast<int>(implied), std::move(knots), name);
+}
+
+void check_extent(vtkStructuredGrid* net)
+{
+  const int* extent = net->GetExtent();
+  if (net->GetNumberOfPoints() == 0)
+  {
+    refuse(GeometryDefect::Count, "the net has no control points");
+  }
+  if (extent[0] != 0 || extent[2] != 0 || extent[4] != 0)
+  {
+    refuse(GeometryDefect::Format,
+      "the extent of the net starts at (" + std::to_string(extent[0]) + ", " +
+        std::to_string(extent[2]) + ", " + std::to_string(extent[4]) +
+        ") instead of (0, 0, 0): it is a part that was cut from a net, whose knots no longer fit");
+  }
+  if (extent[5] != 0)
+  {
+    refuse(GeometryDefect::Format,
+      "the net has dimensions (" + std::to_string(extent[1] + 1) + ", " +
+        std::to_string(extent[3] + 1) + ", " + std::to_string(extent[5] + 1) +
+        "); (nu, nv, 1) make a surface, (n, 1, 1) a curve");
+  }
+}
+
+std::string block_name(vtkInformation* meta_data)
+{
+  const char* name = meta_data && meta_data->Has(vtkCompositeDataSet::NAME())
+    ? meta_data->Get(vtkCompositeDataSet::NAME())
+    : nullptr;
+  return name ? name : "";
+}
+
+/// Walks over a composite data set and appends faces in order.
+class Collector
+{
+public:
+  Collector(ConvertedModel& result, bool flip)
+    : Result(result)
+    , Flip(flip)
+  {
+  }
+
+  void add(vtkDataObject* data, const std::string& name)
+  {
+    if (!data)
+    {
+      this->add_empty(name);
+    }
+    else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+    {
+      this->add_blocks(blocks, name);
+    }
+    else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+    {
+      for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+      {
+        vtkInformation* meta = collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr;
+        this->add(collection->GetPartitionedDataSet(i), block_name(meta));
+      }
+    }
+    else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(data))
+    {
+      this->add_pieces(pieces, name);
+    }
+    else
+    {
+      this->add_leaf(data, name);
+    }
+  }
+
+private:
+  void add_blocks(vtkMultiBlockDataSet* blocks, const std::string& name)
+  {
+    std::vector<std::string> names;
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      names.push_back(block_name(blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr));
+    }
+    const bool has_surface = std::find(names.begin(), names.end(), "Surface") != names.end();
+    const bool has_loops = std::any_of(names.begin(), names.end(),
+      [](const std::string& block) { return block.compare(0, 5, "Loop ") == 0; });
+    if (has_surface && has_loops)
+    {
+      this->refuse_face(name,
+        "it is a trimmed face (blocks Surface and Loop …), which this version does not read; give "
+        "the block Surface alone for the untrimmed surface");
+      return;
+    }
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      this->add(blocks->GetBlock(i), names[i]);
+    }
+  }
+
+  void add_pieces(vtkPartitionedDataSet* pieces, const std::string& name)
+  {
+    vtkDataObject* only = nullptr;
+    int count = 0;
+    for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+    {
+      if (vtkDataObject* piece = pieces->GetPartitionAsDataObject(i))
+      {
+        only = piece;
+        ++count;
+      }
+    }
+    if (count > 1)
+    {
+      this->refuse_face(
+        name, "it is cut into " + std::to_string(count) + " pieces; a net must come in one piece");
+      return;
+    }
+    this->add(only, name);
+  }
+
+  void add_leaf(vtkDataObject* data, const std::string& block)
+  {
+    std::string name = block;
+    try
+    {
+      const FaceAttributes attributes = read_face_attributes(data->GetFieldData());
+      name = attributes.name.empty() ? block : attributes.name;
+      if (auto* net = vtkStructuredGrid::SafeDownCast(data))
+      {
+        Face face;
+        face.name = name;
+        face.patches.push_back(convert_net(net));
+        face.reversed = attributes.reversed != this->Flip;
+        this->Result.model.push_back(std::move(face));
+      }
+      else if (auto* cells = vtkUnstructuredGrid::SafeDownCast(data))
+      {
+        this->add_cells(cells, name, attributes.reversed);
+      }
+      else
+      {
+        refuse(GeometryDefect::Format,
+          std::string("it is a ") + data->GetClassName() +
+            "; geometry is a vtkStructuredGrid of control points or a vtkUnstructuredGrid of "
+            "Bézier cells");
+      }
+    }
+    catch (const GeometryError& error)
+    {
+      this->refuse_face(name, error.what());
+    }
+  }
+
+  void add_cells(vtkUnstructuredGrid* cells, const std::string& name, bool reversed)
+  {
+    ConvertedModel converted = convert_bezier_cells(cells);
+    for (const Problem& problem : converted.problems)
+    {
+      this->Result.problems.push_back(
+        { this->Result.model.size() + problem.face, problem.message });
+    }
+    for (Face& face : converted.model)
+    {
+      face.name = name;
+      face.reversed = reversed != this->Flip;
+      this->Result.model.push_back(std::move(face));
+    }
+  }
+
+  void add_empty(const std::string& name)
+  {
+    Face face;
+    face.name = name;
+    this->Result.model.push_back(std::move(face));
+  }
+
+  void refuse_face(const std::string& name, const std::string& message)
+  {
+    this->Result.problems.push_back({ this->Result.model.size(), message });
+    this->add_empty(name);
+  }
+
+  ConvertedModel& Result;
+  bool Flip;
+};
+
+} // namespace
+
+bool ConvertedModel::empty() const
+{
+  return std::all_of(
+    this->model.begin(), this->model.end(), [](const Face& face) { return face.patches.empty(); });
+}
+
+std::vector<std::string> ConvertedModel::messages() const
+{
+  std::vector<std::string> result;
+  for (const Problem& problem : this->problems)
+  {
+    const std::string& name = this->model[problem.face].name;
+    result.push_back("Face " + std::to_string(problem.face) +
+      (name.empty() ? "" : " ('" + name + "')") + ": " + problem.message);
+  }
+  return result;
+}
+
+ConvertedModel convert_to_model(vtkDataObject* source, bool flip)
+{
+  ConvertedModel result;
+  Collector(result, flip).add(source, "");
+  return result;
+}
+
+FaceAttributes read_face_attributes(vtkFieldData* data)
+{
+  FaceAttributes attributes;
+  if (!data)
+  {
+    return attributes;
+  }
+  auto* name = vtkStringArray::SafeDownCast(data->GetAbstractArray("FaceName"));
+  if (name && name->GetNumberOfValues() > 0)
+  {
+    attributes.name = name->GetValue(0);
+  }
+  const std::vector<double> orientation = read_field_array(data, "Orientation");
+  if (!orientation.empty())
+  {
+    if (orientation[0] != 1.0 && orientation[0] != -1.0)
+    {
+      refuse(GeometryDefect::Format,
+        "Orientation[0] = " + vtkVariant(orientation[0]).ToString() +
+          "; 1 (along Su × Sv) or -1 (reversed) is allowed");
+    }
+    attributes.reversed = orientation[0] < 0.0;
+  }
+  return attributes;
+}
+
+Patch convert_net(vtkStructuredGrid* net)
+{
+  check_extent(net);
+  const int* extent = net->GetExtent();
+  const int nu = extent[1] + 1;
+  const int nv = extent[3] + 1;
+
+  Points control_points(3, net->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < net->GetNumberOfPoints(); ++i)
+  {
+    net->GetPoint(i, control_points.col(i).data());
+  }
+  Eigen::VectorXd weights = read_weights(net);
+
+  Patch patch;
+  if (nv == 1)
+  {
+    if (net->GetFieldData() && net->GetFieldData()->HasArray("KnotsV"))
+    {
+      refuse(GeometryDefect::Format,
+        "the net has dimensions (" + std::to_string(nu) +
+          ", 1, 1) and an array KnotsV; a curve has KnotsU alone, a surface at least two rows");
+    }
+    patch.curve =
+      std::make_shared<Curve>(read_knots(net, 0, nu), control_points, std::move(weights));
+  }
+  else
+  {
+    patch.surface = std::make_shared<Surface>(
+      read_knots(net, 0, nu), read_knots(net, 1, nv), control_points, std::move(weights));
+  }
+  return patch;
+}
+
+Eigen::VectorXd read_weights(vtkDataSet* data)
+{
+  vtkDataArray* array = data->GetPointData()->GetRationalWeights();
+  if (!array)
+  {
+    array = data->GetPointData()->GetArray("RationalWeights");
+  }
+  if (!array)
+  {
+    return {};
+  }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    refuse(GeometryDefect::Format,
+      "RationalWeights has " + std::to_string(array->GetNumberOfComponents()) +
+        " components instead of 1");
+  }
+  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    refuse(GeometryDefect::Count,
+      "RationalWeights has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+        std::to_string(data->GetNumberOfPoints()) + " control points");
+  }
+  Eigen::VectorXd weights(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    weights[i] = array->GetComponent(i, 0);
+  }
+  return weights;
+}
+
+} // namespace footpoint::conversion
