@@ -62,29 +62,73 @@ PiecewisePolynomial::PiecewisePolynomial(
 {
 }
 
-PiecewisePolynomial PiecewisePolynomial::homogeneous(const Curve& curve)
+PiecewisePolynomial PiecewisePolynomial::spline(
+  const KnotVector& knots, const Eigen::MatrixXd& control)
 {
-  const double length = curve.knots().length();
   std::vector<double> breakpoints;
   std::vector<int> smoothness;
-  for (const DistinctKnot& knot : curve.knots().distinct_knots())
+  for (const DistinctKnot& knot : knots.distinct_knots())
   {
-    breakpoints.push_back(knot.at / length);
-    smoothness.push_back(curve.knots().degree() - knot.multiplicity);
+    breakpoints.push_back(knot.at / knots.length());
+    smoothness.push_back(knots.degree() - knot.multiplicity);
   }
   std::vector<Eigen::MatrixXd> pieces;
-  for (const BezierPiece<1>& piece : extract_bezier(curve))
+  for (const BezierSpan& span : bezier_spans(knots))
   {
-    Eigen::MatrixXd control = piece.control;
-    control.topRows<3>() += curve.centre() * control.row(3);
-    pieces.push_back(std::move(control));
+    pieces.push_back(control.middleCols(span.first, knots.degree() + 1) * span.matrix);
   }
   return { std::move(breakpoints), std::move(smoothness), std::move(pieces) };
+}
+
+PiecewisePolynomial PiecewisePolynomial::homogeneous(const Curve& curve)
+{
+  const Points points = curve.local_control_points().colwise() + curve.centre();
+  Eigen::MatrixXd control(4, points.cols());
+  control.topRows<3>() = points;
+  control.row(3).setOnes();
+  if (curve.rational())
+  {
+    control *= curve.weights().asDiagonal();
+  }
+  return spline(curve.knots(), control);
 }
 
 PiecewisePolynomial PiecewisePolynomial::single(const Eigen::MatrixXd& control)
 {
   return { { 0.0, 1.0 }, { -1, -1 }, { control } };
+}
+
+std::size_t PiecewisePolynomial::piece_at(double t) const
+{
+  const auto above = std::upper_bound(this->Breakpoints.begin(), this->Breakpoints.end(), t);
+  const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(this->Pieces.size()) - 1;
+  return std::clamp<std::ptrdiff_t>(above - this->Breakpoints.begin() - 1, 0, last);
+}
+
+Eigen::VectorXd PiecewisePolynomial::value(double t) const
+{
+  const std::size_t k = this->piece_at(t);
+  const double from = this->Breakpoints[k];
+  const double local = (t - from) / (this->Breakpoints[k + 1] - from);
+  return blossom(this->Pieces[k], std::vector<double>(this->degree(), local));
+}
+
+PiecewisePolynomial PiecewisePolynomial::reversed() const
+{
+  PiecewisePolynomial result = *this;
+  const double sum = this->Breakpoints.front() + this->Breakpoints.back();
+  std::reverse(result.Breakpoints.begin(), result.Breakpoints.end());
+  for (double& at : result.Breakpoints)
+  {
+    at = sum - at;
+  }
+  std::reverse(result.Smoothness.begin(), result.Smoothness.end());
+  std::reverse(result.Pieces.begin(), result.Pieces.end());
+  for (Eigen::MatrixXd& piece : result.Pieces)
+  {
+    piece = piece.rowwise().reverse().eval();
+  }
+  return result;
 }
 
 PiecewisePolynomial PiecewisePolynomial::rows(int first, int count) const
@@ -198,9 +242,7 @@ Eigen::MatrixXd PiecewisePolynomial::control_points(const KnotVector& knots) con
     // Of the pieces under the basis function the one in its middle: there the blossom's arguments are
     // nearest and its numbers smallest.
     const double middle = 0.5 * (t[i] + t[i + p + 1]);
-    const auto above = std::upper_bound(all.Breakpoints.begin(), all.Breakpoints.end(), middle);
-    const auto piece = std::clamp<std::ptrdiff_t>(above - all.Breakpoints.begin() - 1, 0,
-      static_cast<std::ptrdiff_t>(all.Pieces.size()) - 1);
+    const std::size_t piece = all.piece_at(middle);
     const double from = all.Breakpoints[piece];
     const double length = all.Breakpoints[piece + 1] - from;
     std::vector<double> arguments;

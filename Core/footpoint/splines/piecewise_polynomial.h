@@ -22,6 +22,10 @@ public:
   PiecewisePolynomial(std::vector<double> breakpoints, std::vector<int> smoothness,
     std::vector<Eigen::MatrixXd> pieces);
 
+  /// A spline with any number of components, its domain mapped to [0, 1].
+  /// \param control a row for each component, a column for each control point
+  static PiecewisePolynomial spline(const KnotVector& knots, const Eigen::MatrixXd& control);
+
   /// The homogeneous coordinates (w·x, w·y, w·z, w) of a curve, in space (not relative to its centre),
   /// with the domain mapped to [0, 1].
   static PiecewisePolynomial homogeneous(const Curve& curve);
@@ -32,6 +36,10 @@ public:
   int degree() const { return static_cast<int>(this->Pieces.front().cols()) - 1; }
   const std::vector<double>& breakpoints() const { return this->Breakpoints; }
 
+  /// The value at a parameter (at a jump that from the right).
+  Eigen::VectorXd value(double t) const;
+  /// The same function run through from its end.
+  PiecewisePolynomial reversed() const;
   /// The rows [first, first + count) alone.
   PiecewisePolynomial rows(int first, int count) const;
   PiecewisePolynomial scaled(double factor) const;
@@ -51,6 +59,8 @@ public:
     const PiecewisePolynomial& a, const PiecewisePolynomial& b, int degree);
 
 private:
+  std::size_t piece_at(double t) const;
+
   std::vector<double> Breakpoints;
   std::vector<int> Smoothness;
   std::vector<Eigen::MatrixXd> Pieces;
