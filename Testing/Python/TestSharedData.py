@@ -63,6 +63,24 @@ class Models(unittest.TestCase):
         self.check("edge", make_curve)
 
 
+    def test_parameters_come_back(self):
+        """Inside, where these models are regular, parameters return to 1e-10 of the domain."""
+        generator = np.random.default_rng(7)
+        worst, count = 0.0, 0
+        for path in sorted(JSON.glob("*.jsonl")):
+            for kind, make in (("face", make_face), ("edge", make_curve)):
+                for number, record in enumerate(records(path, kind)):
+                    geometry, (low, high) = make(record), domain(record)
+                    fractions = generator.uniform(0.001, 0.999, (30, len(low)))
+                    parameters = low + fractions * (high - low)
+                    r = footpoint.invert(footpoint.evaluate(geometry, parameters), geometry)
+                    error = np.abs(r.parameters - parameters) / (high - low)
+                    where = f"{path.name} {kind} {number}: {parameters[error.max(axis=1).argmax()]}"
+                    self.assertLessEqual(error.max(), 1e-10, where)
+                    worst, count = max(worst, error.max()), count + len(parameters)
+        print(f"parameters of {count} points: worst error {worst:.2g} of the domain")
+
+
 class NoPointUnconverged(unittest.TestCase):
     """On, near, off and far points of whole models: Status 2 (NotConverged) never occurs."""
 

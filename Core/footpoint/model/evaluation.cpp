@@ -36,19 +36,21 @@ Vector3 normal_derivative(const Jet<2>& jet, const Parameter<2>& along)
   return u.cross(jet.first.col(1)) + jet.first.col(0).cross(v);
 }
 
-/// The directions of the parameter plane that lead inside, the likeliest first.
+/// The directions of the parameter plane that lead inside, away from the nearer end (a foot at a
+/// pole may be a rounding off it); the likeliest first.
 std::array<Parameter<2>, 3> inward(const ParametricSurface& surface, const Parameter<2>& t)
 {
   std::array<Parameter<2>, 3> result;
+  std::array<bool, 2> collapsed;
   for (int i = 0; i < 2; ++i)
   {
-    const double length = surface.direction(i).length;
-    // Feet end up a rounding beside a pole: towards it would be the wrong side.
-    result[i] = Parameter<2>::Unit(i) * (t(i) > 0.5 * length ? -length : length);
+    const Direction& direction = surface.direction(i);
+    const bool upper = t(i) > 0.5 * direction.length;
+    result[i] = Parameter<2>::Unit(i) * (upper ? -direction.length : direction.length);
+    collapsed[i] = direction.collapsed[upper ? 1 : 0];
   }
   // Across a collapsed side first: along it nothing changes.
-  if ((t(1) == 0.0 && surface.direction(1).collapsed[0]) ||
-    (t(1) == surface.direction(1).length && surface.direction(1).collapsed[1]))
+  if (collapsed[1] && !collapsed[0])
   {
     std::swap(result[0], result[1]);
   }
@@ -119,8 +121,8 @@ Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const 
   {
     return jet.first.normalized();
   }
-  // C(t + h) − C(t) = h² C''/2 + h³ C'''/6: with rising t an odd term keeps its sign, the even one points
-  // away from the cusp on both sides and the right one is taken.
+  // C(t + h) − C(t) = h² C''/2 + h³ C'''/6: with rising t an odd term keeps its sign, the even one
+  // points away from the cusp on both sides and the right one is taken.
   const double scale = direction.speed / direction.length;
   const bool second = jet.second.norm() > kStalledSpeed * scale;
   const Vector3 leaving = second ? Vector3(jet.second) : Vector3(jet.third);

@@ -20,9 +20,6 @@ constexpr std::size_t kCellsOfModel = 65536;
 constexpr std::size_t kMaximumCells = 1024;
 constexpr std::size_t kMinimumCells = 16;
 
-/// Points closer than this fraction of the size are one point, seen from two patches.
-constexpr double kSamePoint = 1e-9;
-
 /// A patch prepared for queries.
 struct PreparedPatch
 {
@@ -61,11 +58,12 @@ struct PointInverter::Implementation
   std::vector<std::size_t> by_bound(const PatchQuery& query, double limit) const;
   std::vector<Candidate> nearest(const Vector3& point, const Start& start, Sought sought) const;
   std::vector<Candidate> every(const Vector3& point, const Start& start) const;
-  Foot finish(const Vector3& point, const Candidate& candidate,
-    const std::vector<Candidate>& others) const;
+  void thin_out_continua(const Vector3& point, std::vector<Candidate>& feet) const;
+  Foot finish(
+    const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const;
   Vector3 direction(const Candidate& candidate) const;
-  void settle_shared_border(
-    Foot& foot, const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const;
+  void settle_shared_border(Foot& foot, const Vector3& point, const Candidate& candidate,
+    const std::vector<Candidate>& others) const;
 };
 
 PointInverter::Implementation::Implementation(Model model, const InversionOptions& options)
@@ -102,7 +100,8 @@ PointInverter::Implementation::Implementation(Model model, const InversionOption
       this->Patches.push_back(std::move(prepared));
     }
   }
-  // The control points' own box where there is one patch; its Bézier pieces' box is a little tighter.
+  // The control points' own box where there is one patch; its Bézier pieces' box is a little
+  // tighter.
   this->Size = count == 1 ? this->Patches.front().search->size()
                           : (count == 0 ? 0.0 : (box.upper - box.lower).norm());
 }
@@ -233,21 +232,27 @@ std::vector<Candidate> PointInverter::Implementation::every(
     PatchQuery query = this->query(point, start, k);
     query.sought = lines ? Sought::Intersection
                          : (this->Options.orthogonal_only ? Sought::Orthogonal : Sought::Minimum);
-    this->Patches[k].search->search(query, [limit] { return limit; },
+    this->Patches[k].search->search(
+      query, [limit] { return limit; },
       [&](const PatchFoot& foot)
       {
-        const Candidate candidate{ k, foot };
-        auto known = std::find_if(kept.begin(), kept.end(),
-          [&](const Candidate& other) { return this->same(candidate, other); });
         if (!foot.converged || foot.distance > limit)
         {
           return;
         }
+        const Candidate candidate{ k, foot };
+        auto known = std::find_if(kept.begin(), kept.end(),
+          [&](const Candidate& other)
+          {
+            return this->same(candidate, other) ||
+              (!lines && other.patch == k &&
+                this->Patches[k].search->level(point, foot, other.foot));
+          });
         if (known == kept.end())
         {
           kept.push_back(candidate);
         }
-        else if (foot.distance < known->foot.distance)
+        else if (this->better(candidate, *known))
         {
           *known = candidate;
         }
@@ -263,7 +268,32 @@ std::vector<Candidate> PointInverter::Implementation::every(
       std::swap(kept[i], kept[i - 1]);
     }
   }
+  this->thin_out_continua(point, kept);
   return kept;
+}
+
+/// A continuum of feet counts once a patch and distance, by its lowest parameter.
+void PointInverter::Implementation::thin_out_continua(
+  const Vector3& point, std::vector<Candidate>& feet) const
+{
+  std::vector<Candidate> kept;
+  bool continuum = false;
+  for (const Candidate& candidate : feet)
+  {
+    const bool tie = !kept.empty() && kept.back().patch == candidate.patch &&
+      std::abs(candidate.foot.distance - kept.back().foot.distance) <=
+        tie_tolerance(candidate.foot.distance, this->Size);
+    const PatchSearch& search = *this->Patches[candidate.patch].search;
+    if (tie && !search.isolated(point, candidate.foot) &&
+      (continuum || !search.isolated(point, kept.back().foot)))
+    {
+      continuum = true;
+      continue;
+    }
+    continuum = false;
+    kept.push_back(candidate);
+  }
+  feet = std::move(kept);
 }
 
 Vector3 PointInverter::Implementation::direction(const Candidate& candidate) const
@@ -272,7 +302,8 @@ Vector3 PointInverter::Implementation::direction(const Candidate& candidate) con
   const Patch& patch = *prepared.patch;
   if (patch.curve)
   {
-    return unit_tangent(*patch.curve, candidate.foot.local.head<1>(), candidate.foot.sides.head<1>());
+    return unit_tangent(
+      *patch.curve, candidate.foot.local.head<1>(), candidate.foot.sides.head<1>());
   }
   const Vector3 normal = mean_normal(*patch.surface, candidate.foot.local, candidate.foot.sides);
   return this->Faces[prepared.face].reversed ? Vector3(-normal) : normal;
@@ -324,8 +355,8 @@ Foot PointInverter::Implementation::finish(
   foot.distance = found.distance;
   foot.direction = this->direction(candidate);
   this->settle_shared_border(foot, point, candidate, others);
-  foot.isolated = !this->Options.fixed_direction.isZero() ||
-    prepared.search->isolated(point, found);
+  foot.isolated =
+    !this->Options.fixed_direction.isZero() || prepared.search->isolated(point, found);
   if (!foot.on_curve)
   {
     const bool below = -found.offset.dot(foot.direction) < 0.0;

@@ -42,7 +42,8 @@ Border curve_border(const ParametricCurve& curve, std::size_t patch, int end)
 bool coincide(const Border& a, const Border& b)
 {
   const double tolerance = std::max(a.tolerance, b.tolerance);
-  auto close = [tolerance](const Vector3& p, const Vector3& q) { return (p - q).norm() <= tolerance; };
+  auto close = [tolerance](const Vector3& p, const Vector3& q)
+  { return (p - q).norm() <= tolerance; };
   const bool forward = close(a.points[0], b.points[0]) && close(a.points[2], b.points[2]);
   const bool backward = close(a.points[0], b.points[2]) && close(a.points[2], b.points[0]);
   return close(a.points[1], b.points[1]) && (forward || backward);
@@ -53,17 +54,27 @@ bool coincide(const Border& a, const Border& b)
 bool SharedBorders::cover(const Patch& patch, const Parameter<2>& local) const
 {
   const int directions = patch.curve ? 1 : 2;
+  bool covered = false;
   for (int i = 0; i < directions; ++i)
   {
     const Direction& direction =
       patch.curve ? patch.curve->direction(0) : patch.surface->direction(i);
-    if (!direction.closed && ((local(i) == 0.0 && !this->shared[i][0]) ||
-      (local(i) == direction.length && !this->shared[i][1])))
+    for (const Break& line : direction.breaks)
     {
-      return false;
+      const bool end = line.at == 0.0 || line.at == direction.length;
+      if (local(i) != line.at || !(end ? !direction.closed : line.gap))
+      {
+        continue;
+      }
+      // The side of a gap inside the patch is a border that nothing continues.
+      if (!end || !this->shared[i][line.at == 0.0 ? 0 : 1])
+      {
+        return false;
+      }
+      covered = true;
     }
   }
-  return true;
+  return covered;
 }
 
 std::vector<SharedBorders> find_shared_borders(const Face& face)

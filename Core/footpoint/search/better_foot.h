@@ -19,6 +19,10 @@ inline double tie_tolerance(double distance, double size)
 /// tolerance's rounding is what a minimum can be located to where it is flat.
 constexpr double kSameParameter = 1e-7;
 
+/// Points closer than this fraction of the size are one point, seen from two patches or two
+/// parameters.
+constexpr double kSamePoint = 1e-9;
+
 /// Order of two local parameters, equal ones by the next direction.
 template <int N>
 bool is_lower_parameter(

@@ -43,6 +43,163 @@ std::vector<BezierPiece<N>> halve_all(std::vector<BezierPiece<N>> pieces)
   return pieces;
 }
 
+/// A cell is simple where the legs of its control net point the same way within about 40°: the surface
+/// then bends little over the cell, and one descent finds what there is to be found. Legs shorter than
+/// a part of the cell do not count, nor do cells smaller than a part of the whole.
+constexpr double kSimpleCosine = 0.75;
+constexpr double kShortLeg = 1e-2;
+constexpr double kSmallCell = 1e-3;
+
+/// Cells that refinement may make of one.
+constexpr std::size_t kRefinement = 8;
+
+template <int N>
+double diagonal(const BezierPiece<N>& piece)
+{
+  const std::array<Vector3, 2> corners = bounding_box<N>(piece);
+  return (corners[1] - corners[0]).norm();
+}
+
+/// Smallest cosine between a leg of the control net along direction i and their sum.
+template <int N>
+double straightness(const BezierPiece<N>& piece, int i, double cell)
+{
+  const Eigen::Index stride = i == 0 ? 1 : piece.degree[0] + 1;
+  std::vector<Vector3> legs;
+  Vector3 sum = Vector3::Zero();
+  for (Eigen::Index k = 0; k < piece.control.cols(); ++k)
+  {
+    if ((k / stride) % (piece.degree[i] + 1) < piece.degree[i])
+    {
+      const Vector3 leg = piece.control.col(k + stride).hnormalized() - piece.control.col(k).hnormalized();
+      sum += leg;
+      if (leg.norm() > kShortLeg * cell)
+      {
+        legs.push_back(leg.normalized());
+      }
+    }
+  }
+  double result = 1.0;
+  for (const Vector3& leg : legs)
+  {
+    result = std::min(result, leg.dot(sum.stableNormalized()));
+  }
+  return result;
+}
+
+/// Halves what is not simple, in the direction that bends more, until all is or the limit is reached.
+template <int N>
+std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces, double size)
+{
+  const std::size_t limit = kRefinement * pieces.size();
+  std::vector<BezierPiece<N>> simple;
+  while (!pieces.empty() && simple.size() + pieces.size() < limit)
+  {
+    std::vector<BezierPiece<N>> halves;
+    for (BezierPiece<N>& piece : pieces)
+    {
+      const double cell = diagonal<N>(piece);
+      std::array<double, 2> straight{ { 1.0, 1.0 } };
+      for (int i = 0; i < N; ++i)
+      {
+        straight[i] = straightness<N>(piece, i, cell);
+      }
+      if (cell <= kSmallCell * size || std::min(straight[0], straight[1]) >= kSimpleCosine)
+      {
+        simple.push_back(std::move(piece));
+        continue;
+      }
+      for (BezierPiece<N>& half : halve<N>(piece, straight[0] <= straight[1] ? 0 : 1))
+      {
+        halves.push_back(std::move(half));
+      }
+    }
+    pieces = std::move(halves);
+  }
+  simple.insert(simple.end(), pieces.begin(), pieces.end());
+  return simple;
+}
+
+/// Whether a local parameter is an open end of its direction or the side of a gap.
+bool bounds(const Direction& direction, double t)
+{
+  if (t == 0.0 || t == direction.length)
+  {
+    return !direction.closed;
+  }
+  return std::any_of(direction.breaks.begin(), direction.breaks.end(),
+    [t](const Break& line) { return line.gap && line.at == t; });
+}
+
+/// The start of a descent and the box of what it stands for.
+template <int N>
+struct Cell
+{
+  Parameter<N> start;
+  Box box;
+};
+
+/// The box of the control points of a piece, or of those on its borders: border(i) is −1 on the lower one,
+/// 1 on the upper one, 0 on none.
+template <int N>
+Cell<N> make_cell(const BezierPiece<N>& piece, const Eigen::Matrix<int, N, 1>& border, double margin)
+{
+  /// A start on a border is moved inside by this part of the piece: there the sides of a gap differ.
+  constexpr double kInside = 1e-3;
+  Cell<N> cell;
+  for (int i = 0; i < N; ++i)
+  {
+    const double fraction = 0.5 + (0.5 - kInside) * border(i);
+    cell.start(i) = piece.lower(i) + fraction * (piece.upper(i) - piece.lower(i));
+  }
+  for (Eigen::Index k = 0; k < piece.control.cols(); ++k)
+  {
+    bool on_border = true;
+    Eigen::Index rest = k;
+    for (int i = 0; i < N; ++i)
+    {
+      const Eigen::Index at = rest % (piece.degree[i] + 1);
+      rest /= piece.degree[i] + 1;
+      on_border = on_border && (border(i) == 0 || at == (border(i) < 0 ? 0 : piece.degree[i]));
+    }
+    if (on_border)
+    {
+      const Vector3 point = piece.control.col(k).hnormalized();
+      cell.box.add({ point, point });
+    }
+  }
+  cell.box.lower.array() -= margin;
+  cell.box.upper.array() += margin;
+  return cell;
+}
+
+/// The cell of a piece, and those of its sides and corners that bound the geometry: minima on the
+/// boundary are not always downhill from inside.
+template <int N>
+void append_cells(const BezierPiece<N>& piece, const ParametricGeometry<N>& geometry, std::vector<Cell<N>>& cells)
+{
+  // Rounding of the extraction: the boxes have to hold the surface as it is evaluated.
+  const double margin = 1e-13 * geometry.size();
+  std::vector<Eigen::Matrix<int, N, 1>> borders{ Eigen::Matrix<int, N, 1>::Zero() };
+  for (int i = 0; i < N; ++i)
+  {
+    const std::size_t count = borders.size();
+    for (const int end : { -1, 1 })
+    {
+      const bool bound = bounds(geometry.direction(i), end < 0 ? piece.lower(i) : piece.upper(i));
+      for (std::size_t k = 0; k < count && bound; ++k)
+      {
+        borders.push_back(borders[k]);
+        borders.back()(i) = end;
+      }
+    }
+  }
+  for (const Eigen::Matrix<int, N, 1>& border : borders)
+  {
+    cells.push_back(make_cell<N>(piece, border, margin));
+  }
+}
+
 } // namespace
 
 template <int N>
@@ -57,18 +214,20 @@ CellTree<N>::CellTree(const ParametricGeometry<N>& geometry, int minimum_cells)
   {
     pieces = halve_all<N>(std::move(pieces));
   }
-  std::vector<Box> boxes;
-  // Rounding of the extraction: the boxes have to hold the surface as it is evaluated.
-  const Vector3 margin = Vector3::Constant(1e-13 * geometry.size());
-  for (const BezierPiece<N>& piece : pieces)
+  std::vector<Cell<N>> cells;
+  for (const BezierPiece<N>& piece : refine<N>(std::move(pieces), geometry.size()))
   {
-    const std::array<Vector3, 2> corners = bounding_box<N>(piece);
-    boxes.push_back({ corners[0] - margin, corners[1] + margin });
-    this->Cells.push_back(0.5 * (piece.lower + piece.upper));
+    append_cells<N>(piece, geometry, cells);
   }
-  std::vector<std::int32_t> order(pieces.size());
+  std::vector<Box> boxes;
+  for (const Cell<N>& cell : cells)
+  {
+    boxes.push_back(cell.box);
+    this->Cells.push_back(cell.start);
+  }
+  std::vector<std::int32_t> order(cells.size());
   std::iota(order.begin(), order.end(), 0);
-  this->Nodes.reserve(2 * pieces.size());
+  this->Nodes.reserve(2 * cells.size());
   this->build(order, 0, order.size(), boxes);
 }
 

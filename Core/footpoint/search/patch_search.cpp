@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 
 namespace footpoint
 {
@@ -22,11 +23,17 @@ constexpr SeedOptions kDenseSeeds{ 31, 16 };
 /// of rounding would be the limit where it only grazes, a transversal meeting is exact.
 constexpr double kMeets = 1e-10;
 
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
 /// Scaled eigenvalue of the Hessian below which a foot may be one of a continuum, how far off (as a
 /// fraction of the size) another one is looked for, and how equal its distance has to be.
 constexpr double kFlat = 1e-6;
 constexpr double kProbe = 1e-2;
 constexpr double kEqualDistance = 1e-12;
+
+/// Where on the way between two feet the distance is looked at: three places at no simple ratio, so
+/// that equally spaced minima of equal distance do not pass for one.
+constexpr double kBetween[] = { 0.17, 0.5, 0.79 };
 
 template <int N>
 class PatchSearchOf : public PatchSearch
@@ -46,7 +53,9 @@ public:
 
   double bound(const PatchQuery& query) const override
   {
-    return this->Cells.empty() ? 0.0 : this->cell_bound(this->local(query.point), query)(this->Cells.box());
+    return this->Cells.empty()
+      ? 0.0
+      : this->cell_bound(this->local(query.point), query)(this->Cells.box());
   }
 
   void search(const PatchQuery& query, const std::function<double()>& limit,
@@ -54,9 +63,12 @@ public:
   {
     switch (query.sought)
     {
-      case Sought::Minimum: return this->minima(query, limit, found);
-      case Sought::Orthogonal: return this->orthogonal_feet(query, limit, found);
-      case Sought::Intersection: return this->intersections(query, limit, found);
+      case Sought::Minimum:
+        return this->minima(query, limit, found);
+      case Sought::Orthogonal:
+        return this->orthogonal_feet(query, limit, found);
+      case Sought::Intersection:
+        return this->intersections(query, limit, found);
     }
   }
 
@@ -80,18 +92,38 @@ public:
 
   double size() const override { return this->Geometry.size(); }
 
-  bool same(const PatchFoot& a, const PatchFoot& b) const override
-  {
-    return !this->lower(a, b) && !this->lower(b, a);
-  }
+  bool same(const PatchFoot& a, const PatchFoot& b) const override;
+
+  bool level(const Vector3& point, const PatchFoot& a, const PatchFoot& b) const override;
 
   bool lower(const PatchFoot& a, const PatchFoot& b) const override
   {
-    return is_lower_parameter<N>(a.local.head<N>(), b.local.head<N>(), this->Geometry);
+    const Parameter<N> at_a = a.local.head<N>();
+    const Parameter<N> at_b = b.local.head<N>();
+    if (is_lower_parameter<N>(at_a, at_b, this->Geometry))
+    {
+      return true;
+    }
+    return !is_lower_parameter<N>(at_b, at_a, this->Geometry) && this->is_left_of_gap(a, b);
   }
 
 private:
   Vector3 local(const Vector3& point) const { return point - this->Geometry.centre(); }
+
+  /// Whether two feet with the same parameter lie on two sides of a gap, a on the left one.
+  bool is_left_of_gap(const PatchFoot& a, const PatchFoot& b) const
+  {
+    const bool apart = (a.offset - b.offset).norm() > kSamePoint * this->Geometry.size();
+    bool left = false;
+    for (int i = N - 1; i >= 0 && apart; --i)
+    {
+      if (a.local(i) == b.local(i) && a.sides(i) != b.sides(i))
+      {
+        left = a.sides(i) == Side::Left;
+      }
+    }
+    return left;
+  }
 
   std::function<double(const Box&)> cell_bound(const Vector3& query, const PatchQuery& asked) const
   {
@@ -109,16 +141,17 @@ private:
     };
   }
 
-  /// The starts that a query is worth: the given one, then cells or samples by their bound.
+  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit also gets
+  /// the diagonal of what the start stands for, infinity where that is not known.
   void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
-    const std::function<void(const Parameter<N>&)>& visit) const
+    const std::function<void(const Parameter<N>&, double)>& visit) const
   {
     const Vector3 at = this->local(query.point);
     const Parameter<N> given = this->Geometry.to_local(query.start.head<N>());
     const bool has_start = given.allFinite();
     if (has_start)
     {
-      visit(given);
+      visit(given, kUnknown);
     }
     if (query.search == Search::Local && has_start)
     {
@@ -136,7 +169,7 @@ private:
       // Maxima and intersections need not be near a sampled minimum.
       for (Eigen::Index k = 0; k < seeds.number_of_samples(); ++k)
       {
-        visit(seeds.parameter(k));
+        visit(seeds.parameter(k), kUnknown);
       }
       return;
     }
@@ -145,8 +178,20 @@ private:
       : (dense ? kDenseSeeds.number_of_seeds : this->Seeding.number_of_seeds);
     for (const Parameter<N>& seed : seeds.seeds(at, count))
     {
-      visit(seed);
+      visit(seed, kUnknown);
     }
+  }
+
+  /// The solver's options for a start that stands for a cell of a given diagonal.
+  SolverOptions nearby(double reach) const
+  {
+    SolverOptions result = this->Solver;
+    if (std::isfinite(reach) && this->Geometry.size() > 0.0)
+    {
+      result.first_trust_radius = reach / this->Geometry.size();
+      result.stop_at_borders = true;
+    }
+    return result;
   }
 
   PatchFoot lift(const Vector3& point, const LocalFoot<N>& foot) const
@@ -169,8 +214,11 @@ private:
   {
     const Vector3 at = this->local(query.point);
     this->for_each_start(query, limit,
-      [&](const Parameter<N>& start)
-      { found(this->lift(query.point, this->Seeds.find_from(at, start, this->Solver))); });
+      [&](const Parameter<N>& start, double reach)
+      {
+        const SolverOptions solver = this->nearby(reach);
+        found(this->lift(query.point, this->Seeds.find_from(at, start, solver)));
+      });
   }
 
   void orthogonal_feet(const PatchQuery& query, const std::function<double()>& limit,
@@ -178,9 +226,9 @@ private:
   {
     const Vector3 at = this->local(query.point);
     this->for_each_start(query, limit,
-      [&](const Parameter<N>& start)
+      [&](const Parameter<N>& start, double reach)
       {
-        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->Solver);
+        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->nearby(reach));
         if (is_orthogonal<N>(this->Geometry, at, minimum, this->Solver))
         {
           found(this->lift(query.point, minimum));
@@ -200,9 +248,9 @@ private:
     const double meets = kMeets * this->Geometry.size();
     this->for_each_start(
       query, [meets] { return meets; },
-      [&](const Parameter<N>& start)
+      [&](const Parameter<N>& start, double reach)
       {
-        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->Solver);
+        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->nearby(reach));
         if (foot.distance > meets)
         {
           return;
@@ -223,8 +271,32 @@ private:
   SeededSearch<N> Dense;
 };
 
-/// Where E is flat to second order along a direction, a descent is started a little way off on either
-/// side: on a continuum it stays there, at an isolated minimum it comes back (or ends farther away).
+template <int N>
+bool PatchSearchOf<N>::same(const PatchFoot& a, const PatchFoot& b) const
+{
+  const double apart = (a.offset - b.offset).norm();
+  // A pole has many parameters, and a gap one parameter for two points.
+  const bool poles = a.type == FootType::Degenerate && b.type == FootType::Degenerate;
+  if (poles && apart <= kSamePoint * this->Geometry.size())
+  {
+    return true;
+  }
+  for (int i = 0; i < N; ++i)
+  {
+    const Direction& direction = this->Geometry.direction(i);
+    const double difference = std::abs(a.local(i) - b.local(i));
+    const double across = direction.closed ? direction.length - difference : difference;
+    if (std::min(difference, across) > kSameParameter * direction.length)
+    {
+      return false;
+    }
+  }
+  return !this->is_left_of_gap(a, b) && !this->is_left_of_gap(b, a);
+}
+
+/// Where E is flat to second order along a direction, a descent is started a little way off on
+/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
+/// farther away).
 template <int N>
 bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
 {
@@ -274,6 +346,37 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
       {
         return false;
       }
+    }
+  }
+  return true;
+}
+
+template <int N>
+bool PatchSearchOf<N>::level(const Vector3& point, const PatchFoot& a, const PatchFoot& b) const
+{
+  const double tolerance = tie_tolerance(a.distance, this->Geometry.size());
+  if (std::abs(a.distance - b.distance) > tolerance)
+  {
+    return false;
+  }
+  const Vector3 query = this->local(point);
+  for (const double fraction : kBetween)
+  {
+    Parameter<N> t;
+    for (int i = 0; i < N; ++i)
+    {
+      const Direction& direction = this->Geometry.direction(i);
+      double way = b.local(i) - a.local(i);
+      if (direction.closed && std::abs(way) > 0.5 * direction.length)
+      {
+        way -= std::copysign(direction.length, way); // over the seam is shorter
+      }
+      t(i) = a.local(i) + fraction * way;
+      t(i) += t(i) < 0.0 ? direction.length : (t(i) > direction.length ? -direction.length : 0.0);
+    }
+    if (std::abs((this->Geometry.point(t) - query).norm() - a.distance) > tolerance)
+    {
+      return false;
     }
   }
   return true;

@@ -79,6 +79,10 @@ public:
   /// Whether two feet are one, by their parameters.
   virtual bool same(const PatchFoot& a, const PatchFoot& b) const = 0;
 
+  /// Whether the distance stays the same on the way between two feet: one minimum that is flat to
+  /// rounding, one pole, or one continuum, found twice.
+  virtual bool level(const Vector3& point, const PatchFoot& a, const PatchFoot& b) const = 0;
+
   /// Lexicographic order of the parameters, equal ones (kSameParameter) being equal.
   virtual bool lower(const PatchFoot& a, const PatchFoot& b) const = 0;
 };

@@ -37,15 +37,14 @@ double slope(const Frame<N>& frame, const StepSettings<N>& settings)
 
 /// Whether r is orthogonal to S_i; where S_i vanishes, to the direction in which S leaves.
 template <int N>
-bool is_orthogonal_along(
-  const Frame<N>& frame, int i, const FootConditions<N>& conditions)
+bool is_orthogonal_along(const Frame<N>& frame, int i, const FootConditions<N>& conditions)
 {
   Vector3 tangent = frame.jet.first.col(i);
   if (conditions.stalled(frame, i))
   {
     tangent = frame.jet.second.col(i == 0 ? 0 : 2);
   }
-  return std::abs(frame.r.dot(tangent)) <= conditions.floor(frame) * tangent.norm();
+  return std::abs(frame.r.dot(tangent)) <= conditions.floor(frame, i) * tangent.norm();
 }
 
 } // namespace
@@ -60,26 +59,32 @@ std::optional<LocalFoot<N>> find_orthogonal_foot(const ParametricGeometry<N>& ge
   { return make_frame<N>(geometry, query, place.t, place.sides); };
   Frame<N> frame = frame_at(walk.enter(start));
   int iterations = 1;
-  while (true)
+  // Takes the step if it makes the slope smaller than the given part of what it is.
+  auto take = [&](const Parameter<N>& step, double part)
+  {
+    const auto move = walk.move({ frame.t, frame.sides }, step);
+    const Frame<N> next = frame_at(move.place);
+    const bool better = slope<N>(next, newton_settings<N>(next, geometry)) <
+      part * slope<N>(frame, newton_settings<N>(frame, geometry));
+    frame = better ? next : frame;
+    return better;
+  };
+  for (bool moved = true; moved && iterations < options.maximum_iterations; iterations += moved)
   {
     const StepSettings<N> settings = newton_settings<N>(frame, geometry);
-    const double before = slope<N>(frame, settings);
-    const bool last = iterations >= options.maximum_iterations;
-    bool moved = false;
     Parameter<N> step = solve_scaled<N>(frame.hessian(), frame.gradient, settings);
-    for (int k = 0; k < kBacktracks && before > conditions.tolerance(frame) && !last && !moved; ++k)
+    moved = false;
+    if (slope<N>(frame, settings) <= conditions.tolerance(frame))
     {
-      const auto move = walk.move({ frame.t, frame.sides }, step);
-      const Frame<N> next = frame_at(move.place);
-      moved = slope<N>(next, newton_settings<N>(next, geometry)) < (1.0 - 1e-4) * before;
-      frame = moved ? next : frame;
-      step *= 0.5;
+      // A multiple root is found to a small slope long before its place is known (E. Schröder
+      // 1870).
+      moved = is_noticeable<N>(step, geometry) && (take(step, 0.1) || take(3.0 * step, 0.1));
+      continue;
     }
-    if (!moved)
+    for (int k = 0; k < kBacktracks && !moved; ++k, step *= 0.5)
     {
-      break;
+      moved = take(step, 1.0 - 1e-4);
     }
-    ++iterations;
   }
   LocalFoot<N> foot;
   foot.parameter = frame.t;

@@ -163,10 +163,11 @@ template <int N>
 typename DomainWalk<N>::Move DomainWalk<N>::move_to_border(
   const Place& place, const Parameter<N>& step) const
 {
-  // The fraction of the step up to the nearest border of the piece.
+  // The fraction of the step up to the nearest border of the piece; on a border it slides along it.
   double fraction = 1.0;
   int first = -1;
   double stop = 0.0;
+  Parameter<N> slid = step;
   for (int i = 0; i < N; ++i)
   {
     if (step(i) == 0.0)
@@ -174,6 +175,11 @@ typename DomainWalk<N>::Move DomainWalk<N>::move_to_border(
       continue;
     }
     const double border = this->border_ahead(place, i, step(i) > 0.0);
+    if (border == place.t(i))
+    {
+      slid(i) = 0.0;
+      continue;
+    }
     const double part = (border - place.t(i)) / step(i);
     if (part < fraction)
     {
@@ -182,7 +188,7 @@ typename DomainWalk<N>::Move DomainWalk<N>::move_to_border(
       stop = border;
     }
   }
-  Move result = this->move(place, fraction * step);
+  Move result = this->move(place, fraction * slid);
   if (first >= 0)
   {
     result.place.t(first) = stop;

@@ -47,7 +47,7 @@ public:
   };
   Move move(const Place& place, const Parameter<N>& step) const;
 
-  /// The same, cut short at the first border of the piece on the way.
+  /// The same, cut short at the first border of the piece on the way, and along those it starts from.
   Move move_to_border(const Place& place, const Parameter<N>& step) const;
 
   /// The same point as member of the pieces that meet there, `place` itself not included (at a gap the

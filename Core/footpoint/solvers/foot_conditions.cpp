@@ -24,13 +24,15 @@ Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
   {
     const bool held = (frame.gradient(i) > 0.0 && this->Walk.at_lower_border(place, i)) ||
       (frame.gradient(i) < 0.0 && this->Walk.at_upper_border(place, i));
-    result(i) = !held;
+    // Along a collapsed side nothing moves, and columns of no slope are no way down.
+    result(i) = !held && !(N == 2 && this->Walk.on_collapsed_side(place, N - 1 - i));
   }
   return result;
 }
 
 template <int N>
-Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
+Parameter<N> FootConditions<N>::residuals(
+  const Frame<N>& frame, const Parameter<N>& speeds) const
 {
   const Eigen::Matrix<bool, N, 1> free = this->free(frame);
   Parameter<N> result;
@@ -38,7 +40,7 @@ Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame) const
   {
     // Where S_i stands still its direction is rounding, and the mean speed has to judge.
     const double slowest = kStalledSpeed * this->Geometry.direction(i).speed;
-    const double speed = std::max(frame.speed(i), slowest);
+    const double speed = std::max(speeds(i), slowest);
     result(i) = free(i) && speed > 0.0 ? std::abs(frame.gradient(i)) / speed : 0.0;
   }
   return result;
@@ -52,9 +54,34 @@ double FootConditions<N>::tolerance(const Frame<N>& frame) const
 }
 
 template <int N>
-double FootConditions<N>::floor(const Frame<N>& frame) const
+double FootConditions<N>::floor(const Frame<N>& frame, int i) const
 {
-  return std::max(this->tolerance(frame), kResidualFloor * (this->Geometry.size() + frame.distance));
+  const Direction& direction = this->Geometry.direction(i);
+  const double size = this->Geometry.size();
+  const double speed = std::max(frame.speed(i), kStalledSpeed * direction.speed);
+  if (speed == 0.0)
+  {
+    return this->tolerance(frame);
+  }
+  const double cancelled = std::max(1.0, size / (speed * direction.length));
+  const double bend = std::abs(frame.r.dot(frame.jet.second.col(i == 0 ? 0 : 2)));
+  const double placed =
+    kPlaceRounding * direction.length * (frame.speed(i) * frame.speed(i) + bend) / speed;
+  return std::max(
+    { this->tolerance(frame), kResidualFloor * (size + cancelled * frame.distance), placed });
+}
+
+template <int N>
+double FootConditions<N>::excess(const Frame<N>& frame) const
+{
+  const Parameter<N> residuals = this->residuals(frame);
+  double result = 0.0;
+  for (int i = 0; i < N; ++i)
+  {
+    // Both are 0 where the geometry is a point and the query on it.
+    result = residuals(i) > 0.0 ? std::max(result, residuals(i) / this->floor(frame, i)) : result;
+  }
+  return result;
 }
 
 template <int N>
@@ -84,7 +111,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   {
     for (int i = 0; i < N; ++i)
     {
-      if (std::abs(side.gradient(i)) > this->floor(side) * side.speed(i))
+      if (std::abs(side.gradient(i)) > this->floor(side, i) * side.speed(i))
       {
         return false;
       }
@@ -95,7 +122,7 @@ FootType FootConditions<N>::classify(const Frame<N>& frame, const Vector3& query
   for (const auto& neighbour : this->Walk.neighbours(place))
   {
     smooth =
-      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides, 1));
+      smooth && orthogonal(make_frame<N>(this->Geometry, query, neighbour.t, neighbour.sides));
   }
   return smooth ? FootType::Interior : FootType::Kink;
 }

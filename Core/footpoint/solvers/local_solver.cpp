@@ -23,9 +23,21 @@ constexpr double kSufficientDecrease = 1e-4;
 /// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
 constexpr int kBacktracks = 12;
 
-/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative says
-/// nothing, so that finite steps have to tell a minimum from a saddle.
+/// A method that has not brought the residual down to a hundredth in so many iterations hands over to
+/// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
+/// centre of curvature.
+constexpr int kPatience = 10;
+
+/// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative
+/// says nothing, so that finite steps have to tell a minimum from a saddle.
 constexpr double kFlatEigenvalue = 1e-6;
+
+/// A step that is longer in space than this part of the size is no refinement of a flat minimum.
+constexpr double kSharpening = 1e-3;
+
+/// Cosine between r and S_i below which a border does not hold a foot that can leave it by a finite
+/// step: what a step along such a slope wins is less than the rounding of E.
+constexpr double kFlatSlope = 1e-6;
 
 /// Starts again from another column of a collapsed side, at the most.
 constexpr int kPoleRestarts = 4;
@@ -50,6 +62,8 @@ public:
     this->Current = this->frame_at(this->Conditions.walk().enter(start));
     this->Iterations = 1;
     this->Lambda = this->Options.initial_lambda;
+    this->Radius = std::min(this->Options.first_trust_radius, this->Options.trust_radius) *
+      this->Geometry.size();
     return this->Options.safeguards ? this->descend() : this->iterate();
   }
 
@@ -59,6 +73,8 @@ private:
 
   /// What ends a search for a lower point: the frame found, or nothing.
   using Candidate = std::optional<Frame<N>>;
+
+  using Curvatures = Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix>;
 
   Frame<N> frame_at(const Place& place) const
   {
@@ -70,8 +86,7 @@ private:
   /// Rounding of E = ½|r|², from eight roundings of each coordinate.
   double energy_noise() const
   {
-    const double error =
-      8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
+    const double error = 8.0 * kEpsilon * (this->Geometry.size() + this->Current.distance);
     return error * (this->Current.distance + error);
   }
 
@@ -106,8 +121,13 @@ private:
       {
         return this->finish(Termination::PointCoincidence);
       }
-      const bool settled = this->Conditions.residuals(this->Current).maxCoeff() <=
-        this->Conditions.tolerance(this->Current);
+      const double residual = this->Conditions.residuals(this->Current).maxCoeff();
+      const bool settled = residual <= this->Conditions.tolerance(this->Current);
+      if (this->Iterations % kPatience == 0)
+      {
+        this->Slow = residual > 0.01 * this->Checkpoint;
+        this->Checkpoint = residual;
+      }
       Candidate next = settled ? this->leave() : this->step();
       if (!next)
       {
@@ -117,9 +137,36 @@ private:
       {
         return this->finish(Termination::IterationLimit);
       }
+      const bool short_step = !settled && this->step_is_small() && this->stays(next->t);
       this->Current = *next;
       ++this->Iterations;
+      this->Radius =
+        std::min(2.0 * this->Radius, this->Options.trust_radius * this->Geometry.size());
+      if (short_step)
+      {
+        return this->finish(Termination::SmallStep);
+      }
     }
+  }
+
+  bool step_is_small() const
+  {
+    return this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
+  }
+
+  /// Where the parametrization stands still, or a surface is a thin strip, a short way in space is a
+  /// long one in parameters: both have to be short.
+  bool stays(const Parameter<N>& t) const
+  {
+    for (int i = 0; i < N; ++i)
+    {
+      const double part = std::abs(t(i) - this->Current.t(i)) / this->Geometry.direction(i).length;
+      if (part > this->Options.step_tolerance)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   LocalFoot<N> settle_or_stagnate(bool settled)
@@ -128,18 +175,28 @@ private:
     {
       return this->finish(Termination::ZeroCosine);
     }
-    const bool small = this->LastStep <= this->Options.step_tolerance * this->Geometry.size();
-    return this->finish(small ? Termination::SmallStep : Termination::Stagnation);
+    return this->finish(
+      this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
   }
 
   /// A lower point reached by the method's step or, where that is rejected, by its fall-backs.
   Candidate step()
   {
     const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
-    const bool damped = this->Options.method == Method::LevenbergMarquardt;
-    if (Candidate next = damped ? this->damped_step(settings) : this->shortened(this->limited(this->descending(this->Propose(this->Current, settings), settings))))
+    if (!this->Slow)
     {
-      return next;
+      const bool damped = this->Options.method == Method::LevenbergMarquardt;
+      if (Candidate next = damped ? this->damped_step(settings) : this->proposed_step(settings))
+      {
+        return next;
+      }
+    }
+    if (this->Slow || this->Options.method != Method::Newton)
+    {
+      if (Candidate next = this->newton_step(settings))
+      {
+        return next;
+      }
     }
     if (N == 2 && this->Options.isocurve_fallback)
     {
@@ -151,10 +208,23 @@ private:
     return this->shortened(this->limited(this->steepest(settings)));
   }
 
+  Candidate proposed_step(const StepSettings<N>& settings)
+  {
+    const Parameter<N> step = this->Propose(this->Current, settings);
+    return this->shortened(this->limited(this->descending(step, settings)));
+  }
+
+  Candidate newton_step(const StepSettings<N>& settings)
+  {
+    return this->shortened(this->limited(
+      solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
+  }
+
   /// −scale² g: steepest descent in scaled parameters.
   Parameter<N> steepest(const StepSettings<N>& settings) const
   {
-    Parameter<N> step = -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
+    Parameter<N> step =
+      -settings.scale.cwiseProduct(settings.scale).cwiseProduct(this->Current.gradient);
     for (int i = 0; i < N; ++i)
     {
       step(i) = settings.free(i) ? step(i) : 0.0;
@@ -176,7 +246,7 @@ private:
   /// quadratic model with it, within a quarter of it.
   Parameter<N> limited(const Parameter<N>& step) const
   {
-    double radius = this->Options.trust_radius * this->Geometry.size();
+    double radius = this->Radius;
     if constexpr (N == 2)
     {
       const Vector3 normal = this->Current.jet.first.col(0).cross(this->Current.jet.first.col(1));
@@ -188,8 +258,10 @@ private:
     double factor = length > radius ? radius / length : 1.0;
     for (int i = 0; i < N; ++i)
     {
-      const double whole = this->Geometry.direction(i).length;
-      factor = std::min(factor, std::abs(step(i)) > whole ? whole / std::abs(step(i)) : 1.0);
+      // Half a period at the most: a whole one would lead back to where it started.
+      const Direction& direction = this->Geometry.direction(i);
+      const double longest = direction.closed ? 0.5 * direction.length : direction.length;
+      factor = std::min(factor, std::abs(step(i)) > longest ? longest / std::abs(step(i)) : 1.0);
     }
     return factor * step;
   }
@@ -204,7 +276,7 @@ private:
     {
       const auto stop = this->Conditions.walk().move_to_border(this->place(), step);
       const Frame<N> border = this->frame_at(stop.place);
-      if (border.energy() < frame.energy())
+      if (this->Options.stop_at_borders || border.energy() < frame.energy())
       {
         frame = border;
         moved = stop.moved;
@@ -213,7 +285,7 @@ private:
     return frame;
   }
 
-  /// Enough decrease; or, where E is equal to rounding, a smaller residual.
+  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their floor.
   bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const
   {
     const double promised = std::max(0.0, -this->Current.gradient.dot(moved));
@@ -223,18 +295,26 @@ private:
     {
       return won >= kSufficientDecrease * promised;
     }
-    return won >= -noise && this->Conditions.residuals(frame).maxCoeff() <
+    if (won < -noise)
+    {
+      return false;
+    }
+    const double excess = this->Conditions.excess(this->Current);
+    return (excess > 1.0 && this->Conditions.excess(frame) < 0.9 * excess) ||
+      this->Conditions.residuals(frame, this->Current.speed).maxCoeff() <
       0.9 * this->Conditions.residuals(this->Current).maxCoeff();
   }
 
   Candidate shortened(Parameter<N> step)
   {
+    // Speeds that change leave the trust region even where their first order does not.
+    const double reach = 2.0 * this->Radius;
     for (int k = 0; k < kBacktracks; ++k)
     {
       this->LastStep = (this->Current.jet.first * step).norm();
       Parameter<N> moved;
       const Frame<N> frame = this->arrive(step, moved);
-      if (this->accepts(frame, moved))
+      if ((frame.r - this->Current.r).norm() <= reach && this->accepts(frame, moved))
       {
         return frame;
       }
@@ -253,8 +333,8 @@ private:
       this->LastStep = (this->Current.jet.first * step).norm();
       Parameter<N> moved;
       const Frame<N> frame = this->arrive(step, moved);
-      const double predicted = -this->Current.gradient.dot(moved) -
-        0.5 * moved.dot(this->Current.metric() * moved);
+      const double predicted =
+        -this->Current.gradient.dot(moved) - 0.5 * moved.dot(this->Current.metric() * moved);
       const double actual = this->Current.energy() - frame.energy();
       const bool good = actual > 0.25 * predicted;
       const bool accepted = this->accepts(frame, moved);
@@ -271,6 +351,8 @@ private:
   /// One Newton step along u, then one along v.
   Candidate isocurve_step(const StepSettings<N>& settings)
   {
+    const Frame<N> start = this->Current;
+    Candidate reached;
     for (int i = 0; i < N; ++i)
     {
       StepSettings<N> single = settings;
@@ -278,19 +360,20 @@ private:
       {
         single.free(k) = settings.free(k) && k == i;
       }
-      if (Candidate next = this->shortened(this->limited(
-            solve_scaled<N>(this->Current.hessian(), this->Current.gradient, single))))
+      if (Candidate next = this->newton_step(single))
       {
-        return next;
+        reached = next;
+        this->Current = *next;
       }
     }
-    return {};
+    this->Current = start;
+    return reached;
   }
 
   // === A stationary point that is no minimum ===
 
   /// A way on from a frame that meets the conditions on its own piece: over a border, out of a
-  /// saddle, or along a collapsed side.
+  /// saddle, along a collapsed side, or to the middle of a flat minimum.
   Candidate leave()
   {
     if (Candidate next = this->cross_border())
@@ -301,7 +384,13 @@ private:
     {
       return next;
     }
-    return this->escape_saddle();
+    const StepSettings<N> nearly = this->settings(this->nearly_free());
+    if (Candidate next = this->escape_saddle(nearly, this->curvatures(nearly)))
+    {
+      return next;
+    }
+    const StepSettings<N> free = this->settings(this->Conditions.free(this->Current));
+    return this->sharpen(free, this->curvatures(free));
   }
 
   /// The neighbouring piece in which the descent is steepest, if any.
@@ -313,12 +402,10 @@ private:
     {
       const Frame<N> frame = this->frame_at(neighbour);
       const double residual = this->Conditions.residuals(frame).maxCoeff();
-      const bool continues = std::abs(frame.energy() - this->Current.energy()) <= this->seam_noise();
-      if (this->lower(frame) && !continues)
-      {
-        return frame; // the near side of a gap
-      }
-      if (continues && residual > this->Conditions.floor(frame) && residual > rate && this->descends(frame))
+      // The other side of a gap is another point, and a minimum of its own.
+      const bool continues =
+        (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
+      if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate && this->descends(frame))
       {
         rate = residual;
         steepest = frame;
@@ -327,76 +414,101 @@ private:
     return steepest;
   }
 
-  /// What E may differ by over a seam that closes to kClosureTolerance.
-  double seam_noise() const
-  {
-    return kClosureTolerance * this->Geometry.size() * this->Current.distance + this->energy_noise();
-  }
-
   /// Whether a step into the piece of a frame that lies where the current one does leads down: a
   /// residual alone may be the rounding of a seam, and would be handed to and fro.
-  bool descends(const Frame<N>& frame)  const
+  bool descends(const Frame<N>& frame) const
   {
     Descent ahead(this->Geometry, this->Query, this->Options, this->Propose);
     ahead.Current = frame;
     ahead.Lambda = this->Options.initial_lambda;
+    ahead.Radius = this->Radius;
     const Candidate next = ahead.step();
     return next && this->lower(*next);
   }
 
-  /// On a collapsed side the parameter along it is free: the column in which descent is steepest.
+  /// At a pole the parameter along the collapsed side is free: the column in which descent is steepest.
   Candidate turn_at_pole()
   {
     if constexpr (N == 2)
     {
-      for (int i = 0; i < N; ++i)
+      for (int i = 0; i < N && this->PoleRestarts < kPoleRestarts; ++i)
       {
-        if (this->PoleRestarts >= kPoleRestarts ||
-          !this->Conditions.walk().on_collapsed_side(this->place(), i))
+        if (const std::optional<Place> pole = this->pole(i))
         {
-          continue;
-        }
-        ++this->PoleRestarts;
-        if (Candidate column = this->steepest_column(i))
-        {
-          return column;
+          ++this->PoleRestarts;
+          if (Candidate column = this->steepest_column(*pole, i))
+          {
+            return column;
+          }
         }
       }
     }
     return {};
   }
 
-  Candidate steepest_column(int across) const
+  /// The place on a collapsed side of direction i that the current point is on, or a rounding off.
+  std::optional<Place> pole(int i) const
+  {
+    const Direction& direction = this->Geometry.direction(i);
+    const int end = this->Current.t(i) > 0.5 * direction.length ? 1 : 0;
+    if (!direction.collapsed[end] || !this->Conditions.stalled(this->Current, 1 - i))
+    {
+      return {};
+    }
+    Place place = this->place();
+    place.t(i) = end == 0 ? 0.0 : direction.length;
+    place.sides(i) = end == 0 ? Side::Right : Side::Left;
+    const Vector3 apart = this->frame_at(place).r - this->Current.r;
+    const bool near = apart.norm() <= kClosureTolerance * this->Geometry.size();
+    return near ? std::make_optional(place) : std::nullopt;
+  }
+
+  Candidate steepest_column(const Place& pole, int across) const
   {
     const int along = 1 - across;
     const std::vector<double>& spans = this->Geometry.direction(along).spans;
     // Eight columns a span, and no fewer than 32 in all: a pole of revolution has four spans.
     const int per_span = std::max<int>(8, 32 / static_cast<int>(spans.size() - 1));
     Candidate best;
-    double rate = this->Conditions.floor(this->Current);
+    double rate = this->Conditions.floor(this->Current, across);
     for (std::size_t k = 0; k + 1 < spans.size(); ++k)
     {
       for (int j = 0; j < per_span; ++j)
       {
-        Place column = this->place();
+        Place column = pole;
         column.t(along) = spans[k] + (spans[k + 1] - spans[k]) * j / per_span;
         column.sides(along) = Side::Right;
         const Frame<N> frame = this->frame_at(column);
         const double residual = this->Conditions.residuals(frame)(across);
-        if (residual > rate)
+        // In the plane of symmetry of a query a step may overshoot to an equal distance; then a
+        // column beside it serves.
+        if (residual > rate && this->descends(frame))
         {
           rate = residual;
           best = frame;
         }
       }
     }
-    return best && this->descends(*best) ? best : Candidate{};
+    return best;
   }
 
-  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
-  Candidate escape_saddle()
+  /// The free directions and those in which next to nothing presses against a border: there, too, E
+  /// may curve downwards (a saddle on a knot line, and a point beside one).
+  Eigen::Matrix<bool, N, 1> nearly_free() const
   {
-    const StepSettings<N> settings = this->settings(this->Conditions.free(this->Current));
+    Eigen::Matrix<bool, N, 1> result = this->Conditions.free(this->Current);
+    const double flat = kFlatSlope * this->Current.distance;
+    for (int i = 0; i < N; ++i)
+    {
+      const double slope = std::abs(this->Current.gradient(i));
+      result(i) = result(i) || slope <= flat * this->Current.speed(i);
+    }
+    return result;
+  }
+
+  /// Principal curvatures of E over the free directions, in scaled parameters; held ones count 1.
+  Curvatures curvatures(const StepSettings<N>& settings) const
+  {
     typename Frame<N>::Matrix scaled =
       settings.scale.asDiagonal() * this->Current.hessian() * settings.scale.asDiagonal();
     for (int i = 0; i < N; ++i)
@@ -408,15 +520,21 @@ private:
         scaled(i, i) = 1.0;
       }
     }
-    Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix> eigen;
-    eigen.computeDirect(scaled);
+    Curvatures result;
+    result.computeDirect(scaled);
+    return result;
+  }
+
+  /// Finite steps along directions in which E does not curve upwards, and along those that stall.
+  Candidate escape_saddle(const StepSettings<N>& settings, const Curvatures& curvatures) const
+  {
     for (int k = 0; k < N; ++k)
     {
-      if (eigen.eigenvalues()(k) >= kFlatEigenvalue)
+      if (curvatures.eigenvalues()(k) >= kFlatEigenvalue)
       {
         continue;
       }
-      const Parameter<N> direction = settings.scale.cwiseProduct(eigen.eigenvectors().col(k));
+      const Parameter<N> direction = settings.scale.cwiseProduct(curvatures.eigenvectors().col(k));
       if (Candidate next = this->probe(direction))
       {
         return next;
@@ -433,6 +551,53 @@ private:
       }
     }
     return {};
+  }
+
+  /// Where E is flat the residual vanishes long before the place is found, and a Newton step leads
+  /// only 1/m of the way to a root of multiplicity m of the gradient (E. Schröder 1870): m times
+  /// the step is tried, with one step more to get back to the bottom of a bent valley.
+  Candidate sharpen(const StepSettings<N>& settings, const Curvatures& curvatures) const
+  {
+    Parameter<N> sure = Parameter<N>::Zero();
+    Parameter<N> unsure = Parameter<N>::Zero();
+    for (int k = 0; k < N; ++k)
+    {
+      const Parameter<N> direction = settings.scale.cwiseProduct(curvatures.eigenvectors().col(k));
+      const double slope = settings.free.select(direction, 0.0).dot(this->Current.gradient);
+      const double curvature = std::abs(curvatures.eigenvalues()(k));
+      const Parameter<N> step =
+        curvature > 0.0 ? Parameter<N>(-slope / curvature * direction) : Parameter<N>::Zero();
+      (is_noticeable<N>(step, this->Geometry) ? unsure : sure) += step;
+    }
+    const bool far =
+      (this->Current.jet.first * unsure).norm() > kSharpening * this->Geometry.size();
+    Candidate best;
+    if (unsure.isZero() || far)
+    {
+      return best;
+    }
+    double least = 0.1 * this->Conditions.residuals(this->Current).maxCoeff();
+    const double highest = this->Current.energy() + this->energy_noise();
+    auto look_at = [&](const Frame<N>& frame)
+    {
+      const double residual = this->Conditions.residuals(frame).maxCoeff();
+      if (residual <= least && frame.energy() <= highest)
+      {
+        least = residual;
+        best = frame;
+      }
+    };
+    for (const double multiplicity : { 1.0, 3.0, 5.0 })
+    {
+      Descent ahead = *this;
+      Parameter<N> moved;
+      ahead.Current = this->arrive(sure + multiplicity * unsure, moved);
+      look_at(ahead.Current);
+      const StepSettings<N> there = ahead.settings(this->Conditions.free(ahead.Current));
+      look_at(ahead.arrive(
+        solve_scaled<N>(ahead.Current.hessian(), ahead.Current.gradient, there), moved));
+    }
+    return best;
   }
 
   /// The lower of the ends of ever shorter steps forth and back; equal ones: back.
@@ -474,7 +639,8 @@ private:
         termination = Termination::PointCoincidence;
         break;
       }
-      if (this->Conditions.residuals(this->Current).maxCoeff() <= this->Options.cosine_tolerance * this->Current.distance)
+      if (this->Conditions.residuals(this->Current).maxCoeff() <=
+        this->Options.cosine_tolerance * this->Current.distance)
       {
         termination = Termination::ZeroCosine;
         break;
@@ -510,7 +676,8 @@ private:
         std::abs(moved(i)) < this->Options.parameter_tolerance * this->Geometry.direction(i).length;
     }
     return by_parameter ||
-      (this->Current.jet.first * moved).norm() <= this->Options.step_tolerance * this->Geometry.size();
+      (this->Current.jet.first * moved).norm() <=
+      this->Options.step_tolerance * this->Geometry.size();
   }
 
   // === The result ===
@@ -527,8 +694,7 @@ private:
     foot.termination = termination;
     const bool coincides = termination == Termination::PointCoincidence;
     const bool can_end = termination != Termination::IterationLimit;
-    foot.converged =
-      coincides || (can_end && foot.residual <= this->Conditions.floor(this->Current));
+    foot.converged = coincides || (can_end && this->Conditions.excess(this->Current) <= 1.0);
     foot.type = this->Conditions.classify(this->Current, this->Query);
     // One point, two parameters: a seam is reported at the start of its direction.
     for (int i = 0; i < N; ++i)
@@ -554,6 +720,9 @@ private:
   int PoleRestarts = 0;
   double Lambda = 0.0;
   double LastStep = 0.0;
+  double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
+  bool Slow = false;
+  double Radius = 0.0; ///< of the trust region, in model units
 };
 
 } // namespace

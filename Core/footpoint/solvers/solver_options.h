@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 namespace footpoint
 {
 
@@ -35,7 +37,8 @@ struct SolverOptions
   /// (no unit; unit size of the guide: |g| < 1e-13). The error of the distance is its square.
   double cosine_tolerance = 1e-12;
 
-  /// A step shorter than this in space ends the search (unit size: 1e-15); the result then counts as
+  /// A step shorter than this in space, and than this fraction of the domain in every parameter, ends
+  /// the search (unit size: 1e-15); the result then counts as
   /// converged only if the residual is down to rounding.
   double step_tolerance = 1e-15;
 
@@ -46,6 +49,14 @@ struct SolverOptions
 
   /// Longest step in space (guide, unit size: 0.25 … 1).
   double trust_radius = 0.5;
+
+  /// Longest first step, doubled with every step that is taken: where other starts are near, a descent
+  /// is to find the minimum of its own neighbourhood.
+  double first_trust_radius = std::numeric_limits<double>::infinity();
+
+  /// Never pass a kink or seam in one step, but stop there and look first whether the way leads on: where
+  /// every smooth piece has starts of its own, none of their minima is then passed over.
+  bool stop_at_borders = false;
 
   bool column_scaling = true;    ///< normalise the columns of J, for speeds that differ by powers of ten
   bool isocurve_fallback = true; ///< surfaces: 1-D steps along u, then v, where the 2-D step is rejected

@@ -21,41 +21,49 @@ constexpr double kEigenvalueFloor = 1e-14;
 template <int N>
 using Matrix = typename Frame<N>::Matrix;
 
-/// r without its tangential part: the only part that the curvature of the geometry (not of its
-/// parametrization) acts on.
+/// The first derivatives along the free directions; zero columns for the others.
 template <int N>
-Vector3 normal_part(const Frame<N>& frame)
+Eigen::Matrix<double, 3, N> free_tangents(const Frame<N>& frame, const StepSettings<N>& settings)
 {
-  if constexpr (N == 1)
+  Eigen::Matrix<double, 3, N> tangents = frame.jet.first;
+  for (int i = 0; i < N; ++i)
   {
-    const double square = frame.speed(0) * frame.speed(0);
-    return square > 0.0 ? Vector3(frame.r - frame.jet.first * (frame.gradient(0) / square)) : frame.r;
+    tangents.col(i) *= settings.free(i) ? 1.0 : 0.0;
   }
-  else
-  {
-    const Vector3 normal = frame.jet.first.col(0).cross(frame.jet.first.col(1));
-    const double square = normal.squaredNorm();
-    // Where S_u and S_v are parallel there is no normal and r itself serves.
-    const double limit = 1e-16 * frame.speed(0) * frame.speed(1);
-    return square > limit * limit ? Vector3(normal * (frame.r.dot(normal) / square)) : frame.r;
-  }
+  return tangents;
 }
 
-/// From geodesic coordinates to parameters: Δ − ½ Γ(Δ, Δ), where Γ is the tangential part of the
-/// second derivatives (Christoffel symbols).
+/// v in coordinates of the free directions: (JᵀJ)⁻¹ Jᵀ v, column-scaled.
 template <int N>
-Parameter<N> follow_geodesic(const Frame<N>& frame, const Parameter<N>& delta)
+Parameter<N> components(
+  const Frame<N>& frame, const Vector3& v, const StepSettings<N>& settings)
 {
+  StepSettings<N> plain = settings;
+  plain.descend = true;
+  const Parameter<N> along = frame.jet.first.transpose() * v;
+  return solve_scaled<N>(frame.metric(), -along, plain);
+}
+
+/// Newton's step in geodesic coordinates of the part of the geometry that is free to move: the whole
+/// of it, or an isoparametric curve. Only what of r is orthogonal to that part meets its curvature;
+/// back in parameters the step is Δ − ½ Γ(Δ, Δ), with Γ the tangential part of the second derivatives
+/// (Christoffel symbols).
+template <int N>
+Parameter<N> covariant_step(const Frame<N>& frame, const StepSettings<N>& settings)
+{
+  const Eigen::Matrix<double, 3, N> tangents = free_tangents<N>(frame, settings);
+  const Vector3 across = frame.r - tangents * components<N>(frame, frame.r, settings);
+  const Parameter<N> delta =
+    solve_scaled<N>(frame.metric() + frame.second_along(across), frame.gradient, settings);
   Vector3 bend = frame.jet.second.col(0) * (delta(0) * delta(0));
   if constexpr (N == 2)
   {
     bend += frame.jet.second.col(1) * (2.0 * delta(0) * delta(1)) +
       frame.jet.second.col(2) * (delta(1) * delta(1));
   }
-  const Parameter<N> correction =
-    0.5 * frame.metric().ldlt().solve(frame.jet.first.transpose() * bend);
+  const Parameter<N> correction = 0.5 * components<N>(frame, bend, settings);
   // Beyond half of the step the expansion says nothing.
-  const bool small = (frame.jet.first * correction).norm() <= 0.5 * (frame.jet.first * delta).norm();
+  const bool small = (tangents * correction).norm() <= 0.5 * (tangents * delta).norm();
   return small ? Parameter<N>(delta - correction) : delta;
 }
 
@@ -80,12 +88,23 @@ Parameter<N> solve_scaled(
   {
     return Parameter<N>::Zero();
   }
+  // Where S_i is small beside the curvature (poles, folds of a strip) the scaled diagonal is huge and
+  // would drown the other direction in rounding.
+  Parameter<N> unit = settings.scale;
+  for (int i = 0; i < N; ++i)
+  {
+    const double shrink = 1.0 / std::sqrt(std::max(1.0, std::abs(scaled(i, i))));
+    scaled.row(i) *= shrink;
+    scaled.col(i) *= shrink;
+    right(i) *= shrink;
+    unit(i) *= shrink;
+  }
   Eigen::SelfAdjointEigenSolver<Matrix<N>> eigen;
   eigen.computeDirect(scaled);
   const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
   if (largest == 0.0)
   {
-    return -settings.scale.cwiseProduct(right);
+    return -unit.cwiseProduct(right);
   }
   Parameter<N> values = eigen.eigenvalues().cwiseAbs().cwiseMax(kEigenvalueFloor * largest);
   if (!settings.descend)
@@ -94,7 +113,7 @@ Parameter<N> solve_scaled(
   }
   const Parameter<N> delta =
     -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * right).cwiseQuotient(values));
-  return settings.scale.cwiseProduct(delta);
+  return unit.cwiseProduct(delta);
 }
 
 template <int N>
@@ -116,12 +135,7 @@ Step<N> make_step(Method method)
         return solve_scaled<N>(matrix, frame.gradient, settings);
       };
     case Method::SecondOrder:
-      return [](const Frame<N>& frame, const StepSettings<N>& settings)
-      {
-        const Matrix<N> matrix = frame.metric() + frame.second_along(normal_part<N>(frame));
-        const Parameter<N> delta = solve_scaled<N>(matrix, frame.gradient, settings);
-        return settings.free.all() ? follow_geodesic<N>(frame, delta) : delta;
-      };
+      return covariant_step<N>;
     default:
       if constexpr (N == 1)
       {

@@ -37,3 +37,4 @@ from .vtkFootpointFilters import *
 from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
 from .inversion import Feet, FootType, InversionResult, Status, invert
 from .evaluation import evaluate
+from ._version import __version__

@@ -11,15 +11,16 @@ from vtkmodules.vtkCommonCore import VTK_DOUBLE_MAX
 _GEOMETRY = {"ParametricFunction"}  # has a Set and a Get method, and is no option
 
 
+def snake_case(name):
+    """snake_case of a CamelCase name."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
 def option_names(algorithm_class):
     """{snake_case name: CamelCase name} of what the class itself can set and get."""
     own = vars(algorithm_class)
     names = (name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own)
-    return {
-        re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower(): name
-        for name in sorted(names)
-        if name not in _GEOMETRY
-    }
+    return {snake_case(name): name for name in sorted(names) if name not in _GEOMETRY}
 
 
 def enumeration_methods(algorithm_class, name):
@@ -87,7 +88,7 @@ def _converted(option, value, present):
             return float(value)
         return value
     except TypeError:
-        kind = "a tuple of numbers" if isinstance(present, tuple) else type(present).__name__
+        kind = "sequence of numbers" if isinstance(present, tuple) else type(present).__name__
         raise TypeError(f"{option} = {value!r} is no {kind}") from None
 
 

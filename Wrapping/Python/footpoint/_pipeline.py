@@ -22,7 +22,7 @@ def as_numbers(values, name):
     if array.dtype.kind not in "fiub":
         raise ValueError(f"{name} is no array of real numbers (its dtype is {array.dtype})")
     single = array.dtype.newbyteorder("=") == np.float32
-    return np.ascontiguousarray(array, dtype=np.float32 if single else np.float64)
+    return np.asarray(array, dtype=np.float32 if single else np.float64, order="C")
 
 
 def as_integers(values, name, count):

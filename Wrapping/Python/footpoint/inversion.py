@@ -3,7 +3,6 @@
 
 from dataclasses import dataclass, fields
 from enum import IntEnum
-import re
 from typing import Optional
 
 import numpy as np
@@ -11,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._options import set_options
+from ._options import set_options, snake_case
 from ._pipeline import as_integers, as_numbers, run, set_geometry, to_numpy, to_vtk
 from .vtkFootpointFilters import vtkPointInversionFilter
 
@@ -260,10 +259,6 @@ def _point_data(points, seed_parameters, seed_face_id):
     return data
 
 
-def _snake(name):
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
-
-
 def _arrays(attributes, prefix, rows=slice(None)):
     """Keyword arguments for Feet."""
     result = {}
@@ -289,7 +284,7 @@ def _statistics(data, prefix):
         array = data.GetArray(i)
         name = array.GetName()[len(prefix):]
         values = vtk_to_numpy(array)
-        key = _snake(name[len("Distance"):] if name.startswith("Distance") else name)
+        key = snake_case(name[len("Distance"):] if name.startswith("Distance") else name)
         result[key] = values.copy() if len(values) > 1 else values[0].item()
     return result
 
@@ -303,5 +298,5 @@ def _columns(table):
             values = vtk_to_numpy(column)
         else:
             values = [column.GetValue(row) for row in range(column.GetNumberOfValues())]
-        result[_snake(column.GetName())] = values
+        result[snake_case(column.GetName())] = values
     return result

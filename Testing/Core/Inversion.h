@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Models and expectations that the tests of PointInverter share.
+
+#include "Shapes.h"
+
+#include "footpoint/model/point_inversion.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace inversion
+{
+
+using footpoint::Face;
+using footpoint::Foot;
+using footpoint::FootType;
+using footpoint::InversionOptions;
+using footpoint::Model;
+using footpoint::Parameter;
+using footpoint::Patch;
+using footpoint::PointInverter;
+using footpoint::Status;
+using footpoint::Vector3;
+
+inline Patch patch_of(const footpoint::Curve& curve)
+{
+  return { std::make_shared<footpoint::Curve>(curve), nullptr };
+}
+
+inline Patch patch_of(const footpoint::Surface& surface)
+{
+  return { nullptr, std::make_shared<footpoint::Surface>(surface) };
+}
+
+template <class Geometry>
+Face face_of(const Geometry& geometry, bool reversed = false)
+{
+  return { "", { patch_of(geometry) }, reversed };
+}
+
+/// A model of one face a geometry.
+template <class... Geometries>
+Model model_of(const Geometries&... geometries)
+{
+  return { face_of(geometries)... };
+}
+
+inline InversionOptions all_feet()
+{
+  InversionOptions options;
+  options.all_feet = true;
+  return options;
+}
+
+inline InversionOptions orthogonal_only()
+{
+  InversionOptions options;
+  options.orthogonal_only = true;
+  return options;
+}
+
+inline InversionOptions along(const Vector3& direction)
+{
+  InversionOptions options;
+  options.fixed_direction = direction;
+  return options;
+}
+
+/// What a foot has to be. NaN: not looked at.
+struct Expected
+{
+  double distance;
+  Parameter<2> parameter = Parameter<2>::Constant(NAN); ///< curves: v = 0
+  FootType type = FootType::Interior;
+  bool isolated = true;
+  Vector3 point = Vector3::Constant(NAN);
+  Status status = Status::Converged;
+  double tolerance = 1e-12;           ///< of the distance and the point, by the model's size
+  double parameter_tolerance = 1e-10; ///< by the length of the domain
+};
+
+inline double domain_length(const Patch& patch, int i)
+{
+  return patch.curve ? patch.curve->direction(0).length : patch.surface->direction(i).length;
+}
+
+inline void expect_foot(const PointInverter& inverter, const Foot& foot, const Expected& expected,
+  const std::string& what)
+{
+  SCOPED_TRACE(what);
+  EXPECT_EQ(foot.status, expected.status);
+  EXPECT_EQ(foot.type, expected.type);
+  EXPECT_EQ(foot.isolated, expected.isolated);
+  EXPECT_GE(foot.iterations, 1);
+  ASSERT_GE(foot.face, 0);
+  const Patch& patch = inverter.model()[foot.face].patches.front();
+  const double tolerance = expected.tolerance * inverter.size();
+  EXPECT_NEAR(foot.distance, expected.distance, tolerance);
+  for (int i = 0; i < 2; ++i)
+  {
+    if (!std::isnan(expected.parameter(i)))
+    {
+      EXPECT_NEAR(foot.parameter(i), expected.parameter(i),
+        expected.parameter_tolerance * domain_length(patch, i))
+        << "parameter " << i;
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!std::isnan(expected.point(i)))
+    {
+      EXPECT_NEAR(foot.point(i), expected.point(i), tolerance) << "coordinate " << i;
+    }
+  }
+  EXPECT_EQ(foot.on_curve, patch.curve != nullptr);
+  if (foot.on_curve)
+  {
+    EXPECT_EQ(foot.parameter(1), 0.0);
+    EXPECT_TRUE(std::isnan(foot.signed_distance));
+  }
+  else
+  {
+    EXPECT_EQ(std::abs(foot.signed_distance), foot.distance);
+  }
+}
+
+inline void expect_foot(
+  const PointInverter& inverter, const Vector3& query, const Expected& expected)
+{
+  std::ostringstream what;
+  what << "query " << query.transpose();
+  expect_foot(inverter, inverter.find(query), expected, what.str());
+}
+
+/// All feet of a query, in their order.
+inline void expect_all(
+  const PointInverter& inverter, const Vector3& query, const std::vector<Expected>& expected)
+{
+  std::ostringstream what;
+  what << "query " << query.transpose();
+  const std::vector<Foot> feet = inverter.find_all(query);
+  ASSERT_EQ(feet.size(), expected.size()) << what.str();
+  for (std::size_t k = 0; k < feet.size(); ++k)
+  {
+    expect_foot(inverter, feet[k], expected[k], what.str() + ", foot " + std::to_string(k));
+  }
+}
+
+} // namespace inversion
