@@ -85,6 +85,12 @@ inline Grid transfinite(const Domain& domain, int nu, int nv)
   return grid;
 }
 
+/// The plane rolled on a cylinder of radius 2 about the y axis: lengths and angles stay.
+inline Vector3 rolled(const Vector3& p)
+{
+  return Vector3(2 * std::sin(0.5 * p(0)), p(1), 2 * std::cos(0.5 * p(0)));
+}
+
 /// The grid with every point moved by a function.
 template <class Map>
 Grid mapped(Grid grid, const Map& map)

@@ -6,7 +6,7 @@
 namespace footpoint
 {
 
-/// The grid at other counts ≥ 2: bilinear in the index, the corners bit for bit.
+/// The grid at other counts ≥ 2: cubic in the index; samples that are met stay bit for bit.
 Grid resampled(const Grid& grid, const std::array<int, 2>& count);
 
 } // namespace footpoint
