@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace footpoint
 {
@@ -32,6 +33,7 @@ inline double coordinate_noise(const Points& points)
 struct CornerQuality
 {
   double scaled_jacobian = std::numeric_limits<double>::infinity(); ///< corners with both edges only
+  double jacobian = std::numeric_limits<double>::infinity(); ///< least of all corners, not scaled
   bool collapsed = false;                                           ///< a corner has an edge without length
   bool folded = false;
 };
@@ -42,6 +44,7 @@ struct CornerQuality
 /// \param noise    uncertainty of the determinant
 inline void add_corner(CornerQuality& cell, double jacobian, double lengths, double noise)
 {
+  cell.jacobian = std::min(cell.jacobian, jacobian);
   if (!(lengths > 0.0))
   {
     cell.collapsed = true;
@@ -63,6 +66,26 @@ inline CornerQuality corner_quality(const QuadCorners& p, const Vector3& normal,
     const double length_a = a.norm();
     const double length_b = b.norm();
     add_corner(result, a.cross(b).dot(normal), length_a * length_b, noise * (length_a + length_b));
+  }
+  return result;
+}
+
+/// The up to four cells about a grid point.
+/// \param normals one a cell, as of `reference_normals`
+inline std::vector<CornerQuality> cells_about(
+  const Grid& grid, const Points& normals, double noise, Eigen::Index point)
+{
+  const int nu = grid.count[0];
+  const int i = int(point % nu);
+  const int j = int(point / nu);
+  std::vector<CornerQuality> result;
+  for (int n = std::max(0, j - 1); n <= std::min(grid.count[1] - 2, j); ++n)
+  {
+    for (int m = std::max(0, i - 1); m <= std::min(nu - 2, i); ++m)
+    {
+      const Eigen::Index cell = m + Eigen::Index(nu - 1) * n;
+      result.push_back(corner_quality(quad_corners(grid, m, n), normals.col(cell), noise));
+    }
   }
   return result;
 }

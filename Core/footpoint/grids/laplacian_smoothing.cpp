@@ -51,20 +51,7 @@ public:
 private:
   std::vector<CornerQuality> cells_about(Eigen::Index point) const
   {
-    const int nu = this->Current.count[0];
-    const int i = int(point % nu);
-    const int j = int(point / nu);
-    std::vector<CornerQuality> result;
-    for (int n = std::max(0, j - 1); n <= std::min(this->Current.count[1] - 2, j); ++n)
-    {
-      for (int m = std::max(0, i - 1); m <= std::min(nu - 2, i); ++m)
-      {
-        const Eigen::Index cell = m + Eigen::Index(nu - 1) * n;
-        result.push_back(corner_quality(
-          quad_corners(this->Current, m, n), this->Normals.col(cell), this->Noise));
-      }
-    }
-    return result;
+    return footpoint::cells_about(this->Current, this->Normals, this->Noise, point);
   }
 
   Grid Current;
@@ -129,7 +116,7 @@ SmoothingResult laplacian_smoothing(
 {
   SmoothingResult result;
   result.grid = grid;
-  if (std::min(grid.count[0], grid.count[1]) < 2)
+  if (grid.points.cols() == 0 || std::min(grid.count[0], grid.count[1]) < 2)
   {
     result.converged = true;
     return result;

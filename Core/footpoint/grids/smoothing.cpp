@@ -3,6 +3,7 @@
 
 #include "footpoint/grids/grid_quality.h"
 #include "footpoint/grids/laplacian_smoothing.h"
+#include "footpoint/grids/untangling.h"
 #include "footpoint/grids/winslow_smoothing.h"
 
 namespace footpoint
@@ -37,6 +38,12 @@ SmoothingResult smooth(
     : winslow_smoothing(grid, options, execution);
   result.folds_before = folds;
   result.folds_after = grid_quality(result.grid).folded_count;
+  if (automatic && !result.cancelled && result.folds_after > 0)
+  {
+    // Where sides turn within a cell, differences do not see it, and the solution may fold there.
+    result.grid = untangled(result.grid);
+    result.folds_after = grid_quality(result.grid).folded_count;
+  }
   if (result.cancelled || (automatic && result.folds_after >= folds))
   {
     result.grid = grid;

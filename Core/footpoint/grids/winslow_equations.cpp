@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/grids/winslow_equations.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace footpoint
@@ -91,15 +92,25 @@ ControlField thomas_middlecoff(const Grid& grid)
   return result;
 }
 
-WinslowEquations::WinslowEquations(const std::array<int, 2>& count, ControlField control)
+WinslowEquations::WinslowEquations(
+  const std::array<int, 2>& count, ControlField control, bool sliding)
   : Count(count)
   , Control(std::move(control))
   , Number(std::size_t(count[0]) * std::size_t(count[1]), -1)
 {
   if (count[0] > 2 && count[1] > 2)
   {
-    dissect(1, count[0] - 1, 1, count[1] - 1, count[0], this->Unknowns);
+    const int edge = sliding ? 0 : 1;
+    dissect(edge, count[0] - edge, edge, count[1] - edge, count[0], this->Unknowns);
   }
+  auto is_corner = [&](Eigen::Index point)
+  {
+    const Eigen::Index i = point % count[0];
+    const Eigen::Index j = point / count[0];
+    return (i == 0 || i == count[0] - 1) && (j == 0 || j == count[1] - 1);
+  };
+  this->Unknowns.erase(
+    std::remove_if(this->Unknowns.begin(), this->Unknowns.end(), is_corner), this->Unknowns.end());
   for (std::size_t k = 0; k < this->Unknowns.size(); ++k)
   {
     this->Number[std::size_t(this->Unknowns[k])] = int(k);
@@ -169,13 +180,39 @@ WinslowEquations::Stencil WinslowEquations::stencil(const Points& points, Eigen:
   return s;
 }
 
+/// Of a point of a side: the neighbour off the side; −1 inside.
+Eigen::Index WinslowEquations::inner_neighbour(Eigen::Index point) const
+{
+  const Eigen::Index n = this->Count[0];
+  const Eigen::Index i = point % n;
+  const Eigen::Index j = point / n;
+  return i == 0                    ? point + 1
+    : i == n - 1                   ? point - 1
+    : j == 0                       ? point + n
+    : j == this->Count[1] - 1      ? point - n
+                                   : -1;
+}
+
+/// α + γ at a point of a side.
+double WinslowEquations::side_weight(const Points& points, Eigen::Index point) const
+{
+  const Eigen::Index inner = this->inner_neighbour(point);
+  const Eigen::Index along = std::abs(inner - point) == 1 ? this->Count[0] : 1;
+  return 0.25 * (points.col(point + along) - points.col(point - along)).squaredNorm() +
+    (points.col(inner) - points.col(point)).squaredNorm();
+}
+
 Eigen::VectorXd WinslowEquations::residual(const Points& points, const Places& places) const
 {
   Eigen::VectorXd result(2 * Eigen::Index(this->Unknowns.size()));
   for (std::size_t k = 0; k < this->Unknowns.size(); ++k)
   {
-    result.segment<2>(2 * Eigen::Index(k)) =
-      places[k].tangents.transpose() * this->stencil(points, this->Unknowns[k]).value();
+    const Eigen::Index point = this->Unknowns[k];
+    const Eigen::Index inner = this->inner_neighbour(point);
+    const Vector3 value = inner < 0
+      ? this->stencil(points, point).value()
+      : Vector3(this->side_weight(points, point) * (points.col(inner) - points.col(point)));
+    result.segment<2>(2 * Eigen::Index(k)) = places[k].tangents.transpose() * value;
   }
   return result;
 }
@@ -185,6 +222,10 @@ double WinslowEquations::rounding(const Points& points) const
   double sum = 0.0;
   for (const Eigen::Index point : this->Unknowns)
   {
+    if (this->inner_neighbour(point) >= 0)
+    {
+      continue;
+    }
     const Stencil s = this->stencil(points, point);
     const double weights = s.alpha() + s.gamma();
     sum += weights * weights;
@@ -198,6 +239,10 @@ WinslowEquations::Matrix WinslowEquations::picard_matrix(const Points& points) c
   double least = 0.0;
   for (const Eigen::Index point : this->Unknowns)
   {
+    if (this->inner_neighbour(point) >= 0)
+    {
+      continue;
+    }
     const Stencil s = this->stencil(points, point);
     least += kLeastWeight * (s.alpha() + s.gamma()) / double(this->Unknowns.size());
   }
@@ -205,6 +250,14 @@ WinslowEquations::Matrix WinslowEquations::picard_matrix(const Points& points) c
   entries.reserve(9 * this->Unknowns.size());
   for (std::size_t k = 0; k < this->Unknowns.size(); ++k)
   {
+    const Eigen::Index inner = this->inner_neighbour(this->Unknowns[k]);
+    if (inner >= 0)
+    {
+      const double weight = this->side_weight(points, this->Unknowns[k]);
+      entries.emplace_back(int(k), int(k), -weight);
+      entries.emplace_back(int(k), this->Number[std::size_t(inner)], weight);
+      continue;
+    }
     const Stencil s = this->stencil(points, this->Unknowns[k]);
     for (int neighbour = 0; neighbour < 9; ++neighbour)
     {
@@ -230,8 +283,22 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
   entries.reserve(36 * this->Unknowns.size());
   for (std::size_t k = 0; k < this->Unknowns.size(); ++k)
   {
-    const Stencil s = this->stencil(points, this->Unknowns[k]);
     const auto& tangents = places[k].tangents;
+    const Eigen::Index inner = this->inner_neighbour(this->Unknowns[k]);
+    if (inner >= 0)
+    {
+      const double weight = this->side_weight(points, this->Unknowns[k]);
+      const int column = this->Number[std::size_t(inner)];
+      const Eigen::RowVector2d row = weight * tangents.col(0).transpose() *
+        places[std::size_t(column)].tangents;
+      const int first = 2 * int(k);
+      entries.emplace_back(first, first, -weight);
+      entries.emplace_back(first + 1, first + 1, -weight); // no second direction to step along
+      entries.emplace_back(first, 2 * column, row(0));
+      entries.emplace_back(first, 2 * column + 1, row(1));
+      continue;
+    }
+    const Stencil s = this->stencil(points, this->Unknowns[k]);
     for (int neighbour = 0; neighbour < 9; ++neighbour)
     {
       const int di = neighbour % 3 - 1;

@@ -26,14 +26,17 @@ ControlField thomas_middlecoff(const Grid& grid);
 /// for the grid's inner points. In space the tangential part of R: with r_ξξ, … of a grid on a surface R is
 /// Δr of the surface up to a factor, which is normal to it when ξ and η are harmonic on the surface
 /// (Z. U. A. Warsi, "Numerical grid generation in arbitrary surfaces", J. Comput. Phys. 64 (1986)).
-/// Unknowns: two steps along the tangents per inner point, numbered so that elimination fills little.
+/// Points of the sides that slide along a tangent τ (`SurfacePlace::tangents` is then [τ, 0]) have the
+/// equation τ·(r_inner − r) = 0, scaled like the others: the grid line meets the side at a right angle.
+/// Unknowns: two steps along the tangents per point, numbered so that elimination fills little.
 class WinslowEquations
 {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
   using Places = std::vector<SurfacePlace>; ///< per unknown point
 
-  WinslowEquations(const std::array<int, 2>& count, ControlField control);
+  /// \param sliding whether the points of the sides, corners excepted, are unknowns too
+  WinslowEquations(const std::array<int, 2>& count, ControlField control, bool sliding = false);
 
   /// Grid points that are solved for, in the order of the unknowns.
   const std::vector<Eigen::Index>& unknowns() const { return this->Unknowns; }
@@ -53,11 +56,13 @@ public:
 private:
   struct Stencil;
   Stencil stencil(const Points& points, Eigen::Index point) const;
+  Eigen::Index inner_neighbour(Eigen::Index point) const;
+  double side_weight(const Points& points, Eigen::Index point) const;
 
   std::array<int, 2> Count;
   ControlField Control;
   std::vector<Eigen::Index> Unknowns;
-  std::vector<int> Number; ///< of each grid point among the unknowns, −1 on the border
+  std::vector<int> Number; ///< of each grid point among the unknowns, −1: fixed
 };
 
 } // namespace footpoint

@@ -2,6 +2,7 @@
 #include "footpoint/grids/winslow_smoothing.h"
 
 #include "footpoint/grids/index_transfer.h"
+#include "footpoint/grids/sliding_sides.h"
 #include "footpoint/grids/winslow_step.h"
 
 #include <cmath>
@@ -31,24 +32,30 @@ class LevelSolver
 {
 public:
   LevelSolver(const Grid& grid, ControlField control, const SampledSurface& surface,
-    const Execution& execution)
-    : Equations(grid.count, std::move(control))
+    const Execution& execution, const SlidingSides* sides = nullptr)
+    : Equations(grid.count, std::move(control), sides != nullptr)
     , Surface(surface)
     , Run(execution)
+    , Sides(sides)
+    , NumberOnSides(std::size_t(grid.points.cols()), -1)
   {
-    this->Current = this->place_all(grid.points);
+    for (std::size_t k = 0; sides && k < sides->points().size(); ++k)
+    {
+      this->NumberOnSides[std::size_t(sides->points()[k].point)] = int(k);
+    }
+    this->Current =
+      this->place_all(grid.points, sides ? sides->start() : Eigen::VectorXd());
   }
 
   double residual() const { return this->Current.norm; }
   const Points& points() const { return this->Current.points; }
   int iterations() const { return this->Iterations; }
-  bool cancelled() const { return this->Cancelled; }
   double rounding() const { return this->Equations.rounding(this->Current.points); }
 
   /// Starts from other points, if they are better.
   void restart(const Points& points)
   {
-    WinslowState state = this->place_all(points);
+    WinslowState state = this->place_all(points, this->Current.along_sides);
     if (state.norm < this->Current.norm)
     {
       this->Current = std::move(state);
@@ -67,7 +74,6 @@ public:
       const double done = std::log(best.norm / start) / std::log(target / start);
       if (!this->Run.proceed(std::clamp(done, 0.0, 1.0)))
       {
-        this->Cancelled = true;
         break;
       }
       ++this->Iterations;
@@ -97,10 +103,11 @@ public:
 
 private:
   /// The points on the surface, with the residual there.
-  WinslowState place_all(const Points& points) const
+  WinslowState place_all(const Points& points, const Eigen::VectorXd& along_sides) const
   {
     WinslowState state;
     state.points = points;
+    state.along_sides = along_sides;
     const auto& unknowns = this->Equations.unknowns();
     state.places.resize(unknowns.size());
     this->Run.parallel_for(std::int64_t(unknowns.size()),
@@ -109,7 +116,10 @@ private:
         for (std::int64_t k = begin; k < end; ++k)
         {
           const Eigen::Index point = unknowns[std::size_t(k)];
-          state.places[std::size_t(k)] = this->Surface.project(points.col(point));
+          const int side = this->NumberOnSides[std::size_t(point)];
+          state.places[std::size_t(k)] = side >= 0
+            ? this->side_place(side, along_sides(side))
+            : this->Surface.project(points.col(point));
           state.points.col(point) = state.places[std::size_t(k)].point;
         }
       });
@@ -118,16 +128,34 @@ private:
     return state;
   }
 
+  SurfacePlace side_place(int number, double at) const
+  {
+    const SlidingPoint& which = this->Sides->points()[std::size_t(number)];
+    SurfacePlace place;
+    place.point = this->Sides->point(which, at);
+    place.tangents << this->Sides->tangent(which, at), Vector3::Zero();
+    place.curvature.setZero();
+    return place;
+  }
+
   WinslowState moved(const Eigen::VectorXd& step, double fraction) const
   {
     Points points = this->Current.points;
     const auto& unknowns = this->Equations.unknowns();
+    Eigen::VectorXd slide = Eigen::VectorXd::Zero(this->Current.along_sides.size());
     for (std::size_t k = 0; k < unknowns.size(); ++k)
     {
+      const int side = this->NumberOnSides[std::size_t(unknowns[k])];
+      if (side >= 0)
+      {
+        slide(side) = fraction * step(2 * Eigen::Index(k));
+        continue;
+      }
       points.col(unknowns[k]) += fraction * this->Current.places[k].tangents *
         step.segment<2>(2 * Eigen::Index(k));
     }
-    return this->place_all(points);
+    return this->place_all(
+      points, this->Sides ? this->Sides->moved(this->Current.along_sides, slide) : slide);
   }
 
   /// A Newton step, halved until the residual falls; false if it never does.
@@ -150,9 +178,10 @@ private:
   WinslowEquations Equations;
   const SampledSurface& Surface;
   const Execution& Run;
+  const SlidingSides* Sides;
+  std::vector<int> NumberOnSides; ///< of each grid point, −1: does not slide
   WinslowState Current;
   int Iterations = 0;
-  bool Cancelled = false;
 };
 
 ControlField control_field(const Grid& grid, ControlFunctions control)
@@ -183,12 +212,17 @@ SmoothingResult winslow_smoothing(
 {
   SmoothingResult result;
   result.grid = grid;
+  if (std::min(grid.count[0], grid.count[1]) < 3)
+  {
+    result.converged = true;
+    return result;
+  }
   // === In units of the size and about the middle, so that no power of the lengths overflows
   const Vector3 low = grid.points.rowwise().minCoeff();
   const Vector3 extent = grid.points.rowwise().maxCoeff() - low;
   const double size = extent.norm();
   const Vector3 middle = low + 0.5 * extent;
-  if (!(size > 0.0) || std::min(grid.count[0], grid.count[1]) < 3)
+  if (!(size > 0.0))
   {
     result.converged = true;
     return result;
@@ -196,7 +230,18 @@ SmoothingResult winslow_smoothing(
   const Grid scaled{ grid.count, (grid.points.colwise() - middle) / size };
   const SampledSurface surface(scaled);
 
-  LevelSolver solver(scaled, control_field(scaled, options.control), surface, execution);
+  // Once cancelled, on whichever grid, all of it is; a fraction that was told is never taken back.
+  bool cancelled = false;
+  double told = 0.0;
+  auto ask = [&](double fraction)
+  {
+    told = std::max(told, fraction);
+    cancelled = cancelled || !execution.proceed(told);
+    return !cancelled;
+  };
+  Execution guarded = execution;
+  guarded.proceed = ask;
+  LevelSolver solver(scaled, control_field(scaled, options.control), surface, guarded);
   const double initial = solver.residual();
   const double target = std::max(options.tolerance * initial, solver.rounding());
   if (initial <= target)
@@ -210,20 +255,34 @@ SmoothingResult winslow_smoothing(
   {
     // Their share of the work is small: they only ask whether to go on.
     Execution quiet = execution;
-    quiet.proceed = [&execution](double) { return execution.proceed(0.0); };
+    quiet.proceed = [&ask](double) { return ask(0.0); };
     solver.restart(start_from_coarse(scaled, options, surface, quiet).points);
   }
   result.converged =
     solver.solve(target, options.maximum_iterations, coarsens ? 0 : kPicardSteps);
-  result.cancelled = solver.cancelled();
+  result.cancelled = cancelled;
   result.iterations = solver.iterations();
   result.residual = solver.residual() / initial;
-  for (int j = 1; j + 1 < grid.count[1]; ++j)
+  Points solved = solver.points();
+  if (options.boundary == SmoothingBoundary::Sliding && !cancelled)
   {
-    for (int i = 1; i + 1 < grid.count[0]; ++i)
+    const SlidingSides sides(scaled);
+    LevelSolver slider(scaled, control_field(scaled, options.control), surface, guarded, &sides);
+    const double slid = slider.residual();
+    slider.restart(solved);
+    result.converged = slider.solve(std::max(options.tolerance * slid, slider.rounding()),
+      options.maximum_iterations, 0);
+    result.cancelled = cancelled;
+    result.iterations += slider.iterations();
+    result.residual = slider.residual() / slid;
+    solved = slider.points();
+  }
+  for (Eigen::Index k = 0; k < solved.cols(); ++k)
+  {
+    // What did not move stays bit for bit.
+    if (solved.col(k) != scaled.points.col(k))
     {
-      const Eigen::Index k = grid.index(i, j);
-      result.grid.points.col(k) = middle + size * solver.points().col(k);
+      result.grid.points.col(k) = middle + size * solved.col(k);
     }
   }
   return result;

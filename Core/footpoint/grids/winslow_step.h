@@ -13,6 +13,7 @@ struct WinslowState
 {
   Points points;
   WinslowEquations::Places places;
+  Eigen::VectorXd along_sides; ///< arc lengths of the points that slide, else empty
   Eigen::VectorXd residual;
   double norm = 0.0;
 };
