@@ -4,7 +4,7 @@
 #ifndef BoundaryConversion_h
 #define BoundaryConversion_h
 
-#include "footpoint/grids/boundary.h"
+#include "footpoint/common/types.h"
 
 #include <vector>
 
@@ -13,23 +13,19 @@ class vtkPolyData;
 namespace footpoint::conversion
 {
 
-/// A line of polygonal data.
-struct Line
+/// The lines of several polygonal data sets together.
+struct Lines
 {
-  Points points;
-  int role = -1;  ///< its `BoundaryRole`; −1 for "find out"
-  int input = -1; ///< the number of the connection it came with
+  Points points;                      ///< of all inputs, one after another
+  std::vector<std::vector<int>> ids;  ///< by line: indices of points; lines without any are left out
+  std::vector<int> roles;             ///< by line: its `BoundaryRole`; −1 where there is none
+
+  /// The points of one line.
+  Points line(std::size_t number) const { return this->points(Eigen::all, this->ids[number]); }
 };
 
-/// All lines of all inputs in order; those without points are left out.
-/// \throw BoundaryError where `BoundaryRole` is no role
-std::vector<Line> read_lines(const std::vector<vtkPolyData*>& inputs);
-
-/// The boundary that vtkCoonsPatchSource makes of its inputs, see there.
-/// \param corner_ids numbers of points of the first input, all −1: found by angle
-/// \throw BoundaryError
-Boundary read_boundary(const std::vector<vtkPolyData*>& inputs,
-  const std::array<int, 4>& corner_ids, const BoundaryOptions& options);
+/// \throw BoundaryError where `BoundaryRole` is no integer
+Lines read_lines(const std::vector<vtkPolyData*>& inputs);
 
 } // namespace footpoint::conversion
 

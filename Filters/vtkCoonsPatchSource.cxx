@@ -7,6 +7,7 @@
 #include "GridConversion.h"
 #include "StructuredOutput.h"
 
+#include "footpoint/grids/boundary.h"
 #include "footpoint/grids/grid_faces.h"
 #include "footpoint/grids/transfinite.h"
 
@@ -213,9 +214,18 @@ footpoint::Boundary vtkCoonsPatchSource::Internals::ReadBoundary(
   options.corner_tolerance = self->CornerTolerance;
   options.corner_angle = self->CornerAngle;
   options.strict = self->Strict;
-  std::array<int, 4> corner_ids;
-  std::copy_n(self->CornerIds, 4, corner_ids.begin());
-  return read_boundary(lines_of(data), corner_ids, options);
+  const int* ids = self->CornerIds;
+  if (std::any_of(ids, ids + 4, [](int id) { return id != -1; }))
+  {
+    options.corner_ids.assign(ids, ids + 4);
+  }
+  const Lines lines = read_lines(lines_of(data));
+  if (lines.ids.empty())
+  {
+    throw footpoint::BoundaryError(
+      footpoint::BoundaryDefect::Count, "the input has no lines; a boundary is needed");
+  }
+  return assemble_boundary(lines.points, lines.ids, lines.roles, options);
 }
 
 Dimensions vtkCoonsPatchSource::Internals::FindDimensions(
@@ -270,6 +280,7 @@ void vtkCoonsPatchSource::Internals::Report(
   set_integers(data, "EdgeOrder", order);
   set_integers(data, "EdgeReversed", reversed);
   set_integer(data, "SelfCrossing", boundary.self_crossing ? 1 : 0);
+  set_integer(data, "GuessedCorners", boundary.guessed_corners);
 }
 
 int vtkCoonsPatchSource::RequestData(

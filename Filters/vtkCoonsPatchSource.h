@@ -5,25 +5,26 @@
  *
  * Fills the area between four sides with a structured grid: S. A. Coons (1967), W. J. Gordon and
  * C. A. Hall (1973). Bottom and top run from left to right, left and right from bottom to top; u
- * runs along bottom, v along left.
+ * runs along bottom, v along left. In the x-y plane the bottom runs towards +x and the left side
+ * towards +y, whatever the order and directions of the lines.
  *
  * **Input port 0** (repeatable; optional, but there is no patch without it): vtkPolyData with
  * lines. All connections together give
  * - four polylines: the sides, in any order and direction;
  * - three polylines: one side is collapsed to a point;
  * - one polyline: a closed loop, whose corners are CornerIds or its sharpest turns;
- * - many segments, in any order and direction, such as vtkFeatureEdges makes: they are chained, to
- *   a loop or to three or four sides. With three or four connections each is chained to a side.
+ * - two or more than four lines, in any order and direction, such as vtkFeatureEdges makes: they
+ *   are chained, to a loop or to three or four sides.
  *
- * A cell array `BoundaryRole` (int; 0 bottom, 1 right, 2 top, 3 left) says which line is which
- * side; several lines of one role are chained.
+ * A cell array `BoundaryRole` (int; 0 bottom, 1 right, 2 top, 3 left, −1 any) says which of three or
+ * four lines is which side.
  *
  * **Output port 0**: vtkStructuredGrid with dimensions Resolution × 1. **Output port 1**: the same
  * points as vtkPolyData of quads or triangles, with the same arrays.
  *
  * | array                 | on     | type      | meaning                                        |
  * |-----------------------|--------|-----------|------------------------------------------------|
- * | `Normals`             | points | double, 3 | accumulated normals of the cells; active normals |
+ * | `Normals`             | points | double, 3 | of the adjacent cells together; active normals |
  * | `TCoords`             | points | double, 2 | (s, t) in [0, 1]²; active texture coordinates  |
  * | `ArcLengthU`, `…V`    | points | double    | normalized arc lengths (not with UNIFORM)      |
  * | `Jacobian`            | cells  | double    | scaled Jacobian, minimum over the corners      |
@@ -35,6 +36,7 @@
  * | `EdgeOrder`           | int, 4    | by role: the line it came from, −1 for a collapsed side  |
  * | `EdgeReversed`        | int, 4    | by role: 1 where its points were taken backwards         |
  * | `SelfCrossing`        | int       | 1 where sides cross each other; then nothing is smoothed |
+ * | `GuessedCorners`      | int       | of a loop: corners that no angle marked                  |
  * | `FoldedCellsBefore`, `FoldedCellsAfter` | vtkIdType | smoothing                            |
  * | `SmoothingStatus`     | int       | see SmoothingStatusEnum                                  |
  * | `TwistIncompatibility` | double   | BICUBIC alone: Gregory's measure, 0 compatible           |
@@ -206,8 +208,8 @@ public:
 
   ///@{
   /**
-   * Loops: the corners, as numbers of the loop's points, bottom-left first in the sense of the
-   * loop; all −1: found by CornerAngle. Default: (−1, −1, −1, −1).
+   * Loops: the corners, bottom-left, bottom-right, top-right, top-left, as point ids of the input
+   * (of several connections: counted on); all −1: found by CornerAngle. Default: (−1, −1, −1, −1).
    */
   vtkSetVector4Macro(CornerIds, int);
   vtkGetVector4Macro(CornerIds, int);

@@ -15,7 +15,7 @@
  *
  * | field data                           | meaning                                               |
  * |--------------------------------------|-------------------------------------------------------|
- * | `ParametersU`, `ParametersV`         | of the guides on the profiles, of the profiles on the guides |
+ * | `ParametersU`, `ParametersV`         | of the guides on the profiles, and the reverse        |
  * | `ProfileOrder`, `GuideOrder`         | int: which input became the k-th curve                |
  * | `ProfileReversed`, `GuideReversed`   | int: 1 where the k-th curve was reversed              |
  * | `LargestGap`                         | between curves that should meet, model units          |

@@ -41,7 +41,7 @@ public:
     NONE = 0,      ///< quality alone
     AUTO = 1,      ///< elliptic, only where the grid has folds
     LAPLACIAN = 2, ///< guarded: no step that makes a fold
-    WINSLOW = 3    ///< elliptic: A. M. Winslow (1966); in space on the surface that the grid samples
+    WINSLOW = 3    ///< elliptic: A. M. Winslow (1966); in space on the surface of the grid
   };
 
   /// Values of `SmoothingStatus`.

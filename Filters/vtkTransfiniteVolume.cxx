@@ -7,6 +7,7 @@
 #include "GridConversion.h"
 #include "StructuredOutput.h"
 
+#include "footpoint/grids/boundary_error.h"
 #include "footpoint/grids/transfinite_volume.h"
 
 #include "vtkCellData.h"
@@ -55,15 +56,15 @@ struct Parts
   }
 };
 
-footpoint::VolumeFaces read_faces(const std::vector<vtkDataObject*>& data)
+footpoint::VolumeFaces read_faces(const std::vector<vtkDataObject*>& data, double tolerance)
 {
   Parts parts;
   for (vtkDataObject* object : data)
   {
     parts.add(object);
   }
-  const std::vector<Line> lines = read_lines(parts.lines);
-  if (parts.grids.size() == 6 && lines.empty())
+  const Lines lines = read_lines(parts.lines);
+  if (parts.grids.size() == 6 && lines.ids.empty())
   {
     footpoint::VolumeFaces faces;
     for (std::size_t i = 0; i < 6; ++i)
@@ -72,18 +73,18 @@ footpoint::VolumeFaces read_faces(const std::vector<vtkDataObject*>& data)
     }
     return faces;
   }
-  if (lines.size() == 12 && parts.grids.empty())
+  if (lines.ids.size() == 12 && parts.grids.empty())
   {
     std::array<footpoint::Points, 12> edges;
     for (std::size_t i = 0; i < 12; ++i)
     {
-      edges[i] = lines[i].points;
+      edges[i] = lines.line(i);
     }
-    return footpoint::faces_from_edges(edges);
+    return footpoint::faces_from_edges(edges, tolerance);
   }
   throw footpoint::BoundaryError(footpoint::BoundaryDefect::Count,
     "6 structured grids (faces) or 12 polylines (edges) are needed; there are " +
-      std::to_string(parts.grids.size()) + " and " + std::to_string(lines.size()));
+      std::to_string(parts.grids.size()) + " and " + std::to_string(lines.ids.size()));
 }
 
 /// Of face v = 0, over u and w, and face u = 0, over v and w.
@@ -112,7 +113,8 @@ int vtkTransfiniteVolume::RequestInformation(
   Dimensions dimensions{};
   try
   {
-    dimensions = find_dimensions(read_faces(update_inputs(this, 0, inputs[0])));
+    dimensions = find_dimensions(
+      read_faces(update_inputs(this, 0, inputs[0]), this->CornerTolerance));
   }
   catch (const footpoint::BoundaryError&)
   {
@@ -139,7 +141,8 @@ int vtkTransfiniteVolume::RequestData(
   }
   try
   {
-    const footpoint::VolumeFaces faces = read_faces(input_data(inputs[0]));
+    const footpoint::VolumeFaces faces =
+      read_faces(input_data(inputs[0]), this->CornerTolerance);
     const std::string changed = check_dimensions(outputs, find_dimensions(faces));
     if (!changed.empty())
     {
