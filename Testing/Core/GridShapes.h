@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Closed-form domains for structured grids. Swan, half-annulus and horseshoe are those of P. Knupp and
-/// S. Steinberg, "Fundamentals of Grid Generation" (1993).
+/// Closed-form domains for structured grids. Swan, half-annulus and horseshoe are those of P. Knupp
+/// and S. Steinberg, "Fundamentals of Grid Generation" (1993).
 
 #include "footpoint/grids/structured_points.h"
 

@@ -86,8 +86,7 @@ TEST(GridQuality, does_not_depend_on_place_and_sense)
   auto moved = [&](const Vector3& p) -> Vector3 { return turn * p + Vector3(10, -20, 5); };
   auto mirrored = [](const Vector3& p) { return Vector3(p(1), p(0), 7.0); };
   auto tiny = [](const Vector3& p) -> Vector3 { return 1e-12 * p; };
-  for (const Grid& grid : { mapped(swan, moved), mapped(swan, mirrored),
-         mapped(swan, tiny) })
+  for (const Grid& grid : { mapped(swan, moved), mapped(swan, mirrored), mapped(swan, tiny) })
   {
     EXPECT_EQ(grid_quality(grid).folded_count, 18);
     EXPECT_NEAR(grid_quality(grid).minimum_scaled_jacobian, -0.3563, 1e-4);
@@ -99,8 +98,7 @@ TEST(GridQuality, rounding_far_from_the_origin_makes_no_folds)
   auto far = [](const Vector3& p) -> Vector3 { return p + Vector3::Constant(1e8); };
   auto straight = [](const Vector3& p) -> Vector3 { return p; };
   grid_shapes::Domain thin = grid_shapes::half_ring(1, 1, 1 + 1e-6, 1 + 1e-6);
-  EXPECT_EQ(
-    grid_quality(mapped(grid_shapes::transfinite(thin, 5, 21), straight)).folded_count, 0);
+  EXPECT_EQ(grid_quality(mapped(grid_shapes::transfinite(thin, 5, 21), straight)).folded_count, 0);
   EXPECT_EQ(grid_quality(mapped(grid_shapes::transfinite(thin, 5, 21), far)).folded_count, 0);
 }
 

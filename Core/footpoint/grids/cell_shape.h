@@ -22,7 +22,8 @@ inline QuadCorners quad_corners(const Grid& grid, int i, int j)
 /// A Jacobian this small against the edges' lengths is a straight or collapsed corner, not a fold.
 constexpr double kStraightCorner = 1e-12;
 
-/// Uncertainty of a coordinate: half a unit in the last place of the largest one, and of its difference.
+/// Uncertainty of a coordinate: half a unit in the last place of the largest one, and of its
+/// difference.
 inline double coordinate_noise(const Points& points)
 {
   return points.size() == 0 ? 0.0
@@ -32,9 +33,10 @@ inline double coordinate_noise(const Points& points)
 /// The worst corner of a cell.
 struct CornerQuality
 {
-  double scaled_jacobian = std::numeric_limits<double>::infinity(); ///< corners with both edges only
+  double scaled_jacobian =
+    std::numeric_limits<double>::infinity();                 ///< corners with both edges only
   double jacobian = std::numeric_limits<double>::infinity(); ///< least of all corners, not scaled
-  bool collapsed = false;                                           ///< a corner has an edge without length
+  bool collapsed = false; ///< a corner has an edge without length
   bool folded = false;
 };
 

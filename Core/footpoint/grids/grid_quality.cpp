@@ -27,8 +27,8 @@ GridQuality<N> empty_quality(Eigen::Index cells)
 template <int N>
 void record_corners(GridQuality<N>& result, Eigen::Index cell, const CornerQuality& corners)
 {
-  const double worst = corners.collapsed ? std::min(0.0, corners.scaled_jacobian)
-                                         : corners.scaled_jacobian;
+  const double worst =
+    corners.collapsed ? std::min(0.0, corners.scaled_jacobian) : corners.scaled_jacobian;
   result.scaled_jacobian(cell) = worst;
   result.folded(cell) = corners.folded;
   result.folded_count += corners.folded ? 1 : 0;
@@ -103,7 +103,8 @@ CornerQuality hex_quality(const HexCorners& p, double noise)
       edges.col(d) = (c >> d & 1) ? p[c] - p[c ^ (1 << d)] : p[c ^ (1 << d)] - p[c];
     }
     const Vector3 lengths = edges.colwise().norm();
-    const double faces = lengths(0) * lengths(1) + lengths(1) * lengths(2) + lengths(2) * lengths(0);
+    const double faces =
+      lengths(0) * lengths(1) + lengths(1) * lengths(2) + lengths(2) * lengths(0);
     add_corner(result, edges.determinant(), lengths.prod(), noise * faces);
   }
   return result;
@@ -120,7 +121,8 @@ Vector3 principal_axis(const HexCorners& p, int direction)
   return 0.25 * sum;
 }
 
-/// Volume of the trilinear cell: 2³ Gauss points are exact for its Jacobian, of degree 2 per direction.
+/// Volume of the trilinear cell: 2³ Gauss points are exact for its Jacobian, of degree 2 per
+/// direction.
 double hex_volume(const HexCorners& p)
 {
   double volume = 0.0;

@@ -16,14 +16,16 @@ struct Mixture
   std::vector<double> weights;
 };
 
-/// Place k of `to` even places on a line of `from` samples, by Lagrange's cubic (less on shorter lines).
+/// Place k of `to` even places on a line of `from` samples, by Lagrange's cubic (less on shorter
+/// lines).
 Mixture mixture(int k, int from, int to)
 {
   // Whole numbers, so that a sample that is met gets the weight 1 exactly.
   const long long numerator = static_cast<long long>(k) * (from - 1);
   const int interval = std::min(int(numerator / (to - 1)), from - 2);
   const int size = std::min(4, from);
-  Mixture result{ std::clamp(interval - 1, 0, from - size), std::vector<double>(std::size_t(size)) };
+  Mixture result{ std::clamp(interval - 1, 0, from - size),
+    std::vector<double>(std::size_t(size)) };
   for (int m = 0; m < size; ++m)
   {
     double weight = 1.0;

@@ -97,9 +97,9 @@ double sweep_sides(GuardedMoves& moves, const SlidingSides& sides, Eigen::Vector
     const SlidingPoint& which = sides.points()[k];
     const Eigen::Index n = Eigen::Index(k);
     const Points& p = moves.grid().points;
-    Eigen::VectorXd move = Eigen::VectorXd::Zero(at.size());
-    move(n) = sides.tangent(which, at(n)).dot(p.col(which.inner) - p.col(which.point));
-    const double to = sides.moved(at, move)(n);
+    const double move = sides.tangent(which, at(n)).dot(p.col(which.inner) - p.col(which.point));
+    const std::array<double, 2> limits = sides.limits(at, n);
+    const double to = at(n) + std::clamp(move, limits[0], limits[1]);
     if (moves.move(which.point, sides.point(which, to)))
     {
       largest = std::max(largest, std::abs(to - at(n)));
@@ -124,8 +124,7 @@ SmoothingResult laplacian_smoothing(
   const SampledSurface surface(grid);
   const SlidingSides sides(grid);
   Eigen::VectorXd at = sides.start();
-  const double size =
-    (grid.points.rowwise().maxCoeff() - grid.points.rowwise().minCoeff()).norm();
+  const double size = (grid.points.rowwise().maxCoeff() - grid.points.rowwise().minCoeff()).norm();
   GuardedMoves moves(grid);
   std::int64_t folds = grid_quality(grid).folded_count;
   while (!result.converged && result.iterations < options.maximum_iterations)
@@ -143,7 +142,8 @@ SmoothingResult laplacian_smoothing(
     ++result.iterations;
     if (!surface.planar())
     {
-      // In space the normals move with the points: the guard holds for those at the sweep's start only.
+      // In space the normals move with the points: the guard holds for those at the sweep's start
+      // only.
       const std::int64_t now = grid_quality(moves.grid()).folded_count;
       if (now > folds)
       {

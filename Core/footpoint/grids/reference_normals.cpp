@@ -15,7 +15,8 @@ namespace
 /// Distance from the plane, relative to the size, up to which points count as planar.
 constexpr double kPlanar = 1e-9;
 
-/// Normals of the cells with twice their areas as lengths, and how far each is from having no direction.
+/// Normals of the cells with twice their areas as lengths, and how far each is from having no
+/// direction.
 struct CellNormals
 {
   std::array<int, 2> count; ///< cells along each direction
@@ -160,10 +161,8 @@ Plane fit_plane(const Points& points)
   const Vector3 mean = centred.rowwise().mean();
   const Points spread = centred.colwise() - mean;
   const Eigen::Matrix3d covariance = spread * spread.transpose();
-  const Vector3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance)
-                           .eigenvectors()
-                           .col(0)
-                           .normalized();
+  const Vector3 normal =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0).normalized();
   const double distance = (normal.transpose() * spread).cwiseAbs().maxCoeff();
   return { distance <= kPlanar, normal };
 }

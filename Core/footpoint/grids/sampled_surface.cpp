@@ -12,8 +12,8 @@ namespace footpoint
 namespace
 {
 
-/// Reach of a sample in lengths of its longest edge: at a corner of the grid, where a quarter of the
-/// samples is left, still more than the six that a quadratic takes.
+/// Reach of a sample in lengths of its longest edge: at a corner of the grid, where a quarter of
+/// the samples is left, still more than the six that a quadratic takes.
 constexpr double kReach = 3.5;
 
 constexpr int kLeaf = 4; ///< samples along each direction of a leaf
@@ -233,8 +233,7 @@ SurfacePlace SampledSurface::project(const Vector3& point) const
   Eigen::Matrix<double, 3, 2> slopes;
   slopes << Eigen::Matrix2d::Identity(), gradient.transpose();
   const Eigen::Matrix2d metric = slopes.transpose() * slopes;
-  const Eigen::Matrix2d inverse =
-    Eigen::Matrix2d(metric.llt().matrixL()).inverse();
+  const Eigen::Matrix2d inverse = Eigen::Matrix2d(metric.llt().matrixL()).inverse();
   place.tangents = local.axes * slopes * inverse.transpose();
   place.curvature = inverse * second * inverse.transpose() /
     (std::sqrt(1.0 + gradient.squaredNorm()) * local.scale);

@@ -13,13 +13,13 @@ struct SurfacePlace
 {
   Vector3 point;
   Eigen::Matrix<double, 3, 2> tangents; ///< orthonormal
-  Eigen::Matrix2d curvature;            ///< second fundamental form in these tangents, to their cross product
+  Eigen::Matrix2d curvature; ///< second fundamental form in these tangents, to their cross product
 };
 
-/// The surface that a grid in space samples, whether the grid folds on it or not: the moving least squares
-/// surface of its points (D. Levin, "Mesh-independent surface interpolation", 2003), quadratic, smooth,
-/// and independent of how the points are joined. Each sample reaches as far as a few of its own cells.
-/// Third-order accurate in the spacing. Of a planar grid: the plane, exactly.
+/// The surface that a grid in space samples, whether the grid folds on it or not: the moving least
+/// squares surface of its points (D. Levin, "Mesh-independent surface interpolation", 2003),
+/// quadratic, smooth, and independent of how the points are joined. Each sample reaches as far as a
+/// few of its own cells. Third-order accurate in the spacing. Of a planar grid: the plane, exactly.
 /// \bug Two sheets closer than the cells are long are taken for one.
 class SampledSurface
 {
@@ -28,8 +28,8 @@ public:
 
   bool planar() const { return this->Flat.planar; }
 
-  /// Moves a point onto the surface along its normal; a point beyond the reach of all samples is first
-  /// moved to the nearest sample.
+  /// Moves a point onto the surface along its normal; a point beyond the reach of all samples is
+  /// first moved to the nearest sample.
   SurfacePlace project(const Vector3& point) const;
 
 private:

@@ -83,23 +83,30 @@ Vector3 SlidingSides::tangent(const SlidingPoint& which, double at) const
   return mixed.normalized();
 }
 
-Eigen::VectorXd SlidingSides::moved(const Eigen::VectorXd& at, const Eigen::VectorXd& move) const
+std::array<double, 2> SlidingSides::limits(const Eigen::VectorXd& at, Eigen::Index number) const
 {
-  Eigen::VectorXd result = at;
-  for (std::size_t k = 0; k < this->Sliding.size(); ++k)
+  const SlidingPoint& which = this->Sliding[std::size_t(number)];
+  const Eigen::VectorXd& lengths = this->Lines[std::size_t(which.side)].lengths;
+  const bool first = which.place == 1;
+  const bool last = which.place + 2 == lengths.size();
+  const double before = first ? 0.0 : at(number - 1);
+  const double after = last ? lengths(lengths.size() - 1) : at(number + 1);
+  return { { 0.5 * kLargestMove * (before - at(number)),
+    0.5 * kLargestMove * (after - at(number)) } };
+}
+
+double SlidingSides::allowed(const Eigen::VectorXd& at, const Eigen::VectorXd& move) const
+{
+  double fraction = 1.0;
+  for (Eigen::Index k = 0; k < at.size(); ++k)
   {
-    const SlidingPoint& which = this->Sliding[k];
-    const Line& line = this->Lines[std::size_t(which.side)];
-    const Eigen::Index n = Eigen::Index(k);
-    const bool first = which.place == 1;
-    const bool last = which.place + 2 == line.lengths.size();
-    const double before = first ? 0.0 : at(n - 1);
-    const double after = last ? line.lengths(line.lengths.size() - 1) : at(n + 1);
-    const double down = 0.5 * kLargestMove * (at(n) - before);
-    const double up = 0.5 * kLargestMove * (after - at(n));
-    result(n) = at(n) + std::clamp(move(n), -down, up);
+    const double limit = this->limits(at, k)[move(k) > 0.0 ? 1 : 0];
+    if (std::abs(move(k)) * fraction > std::abs(limit))
+    {
+      fraction = limit / move(k);
+    }
   }
-  return result;
+  return fraction;
 }
 
 } // namespace footpoint

@@ -31,13 +31,16 @@ public:
   /// The point at an arc length, which at a vertex is the vertex bit for bit.
   Vector3 point(const SlidingPoint& which, double at) const;
 
-  /// Unit tangent, turning evenly from one middle direction at a vertex to the next: a grid line can then
-  /// be orthogonal to a side anywhere.
+  /// Unit tangent, turning evenly from one middle direction at a vertex to the next: a grid line
+  /// can then be orthogonal to a side anywhere.
   Vector3 tangent(const SlidingPoint& which, double at) const;
 
-  /// Arc lengths after a move, each kept within its half of the way to its neighbours, so that the order
-  /// along the side stays.
-  Eigen::VectorXd moved(const Eigen::VectorXd& at, const Eigen::VectorXd& move) const;
+  /// Part of a move, at most 1, that keeps each point within its half of the way to its neighbours,
+  /// so that the order along the side stays.
+  double allowed(const Eigen::VectorXd& at, const Eigen::VectorXd& move) const;
+
+  /// The farthest that a point may move, down and up, for the same reason.
+  std::array<double, 2> limits(const Eigen::VectorXd& at, Eigen::Index number) const;
 
 private:
   struct Line

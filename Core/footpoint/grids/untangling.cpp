@@ -52,8 +52,8 @@ std::vector<Eigen::Index> points_about(const Grid& grid, const GridQuality<2>& q
   return result;
 }
 
-/// The least Jacobian of the cells about a point: in the plane a concave function of the point's place
-/// (the scaled one is not), so that a local search finds its maximum.
+/// The least Jacobian of the cells about a point: in the plane a concave function of the point's
+/// place (the scaled one is not), so that a local search finds its maximum.
 double worst_about(const Grid& grid, const Points& normals, double noise, Eigen::Index point)
 {
   double worst = std::numeric_limits<double>::infinity();

@@ -9,12 +9,14 @@ namespace footpoint
 namespace
 {
 
-/// Keeps the Picard matrix regular where a folded grid has no derivatives; relative to the mean weight.
+/// Keeps the Picard matrix regular where a folded grid has no derivatives; relative to the mean
+/// weight.
 constexpr double kLeastWeight = 1e-6;
 
 constexpr int kSmallBlock = 4; ///< points along a block that is no longer dissected
 
-/// Nested dissection (A. George 1973) of a rectangle of grid points: halves first, the line between last.
+/// Nested dissection (A. George 1973) of a rectangle of grid points: halves first, the line between
+/// last.
 void dissect(int i0, int i1, int j0, int j1, int stride, std::vector<Eigen::Index>& order)
 {
   const bool wide = i1 - i0 >= j1 - j0;
@@ -186,20 +188,19 @@ Eigen::Index WinslowEquations::inner_neighbour(Eigen::Index point) const
   const Eigen::Index n = this->Count[0];
   const Eigen::Index i = point % n;
   const Eigen::Index j = point / n;
-  return i == 0                    ? point + 1
-    : i == n - 1                   ? point - 1
-    : j == 0                       ? point + n
-    : j == this->Count[1] - 1      ? point - n
-                                   : -1;
+  return i == 0               ? point + 1
+    : i == n - 1              ? point - 1
+    : j == 0                  ? point + n
+    : j == this->Count[1] - 1 ? point - n
+                              : -1;
 }
 
-/// α + γ at a point of a side.
-double WinslowEquations::side_weight(const Points& points, Eigen::Index point) const
+/// What α + γ is in a square of unit size.
+double WinslowEquations::side_weight() const
 {
-  const Eigen::Index inner = this->inner_neighbour(point);
-  const Eigen::Index along = std::abs(inner - point) == 1 ? this->Count[0] : 1;
-  return 0.25 * (points.col(point + along) - points.col(point - along)).squaredNorm() +
-    (points.col(inner) - points.col(point)).squaredNorm();
+  const double across = 1.0 / (this->Count[0] - 1);
+  const double along = 1.0 / (this->Count[1] - 1);
+  return across * across + along * along;
 }
 
 Eigen::VectorXd WinslowEquations::residual(const Points& points, const Places& places) const
@@ -209,9 +210,16 @@ Eigen::VectorXd WinslowEquations::residual(const Points& points, const Places& p
   {
     const Eigen::Index point = this->Unknowns[k];
     const Eigen::Index inner = this->inner_neighbour(point);
-    const Vector3 value = inner < 0
-      ? this->stencil(points, point).value()
-      : Vector3(this->side_weight(points, point) * (points.col(inner) - points.col(point)));
+    Vector3 value;
+    if (inner < 0)
+    {
+      value = this->stencil(points, point).value();
+    }
+    else
+    {
+      value = this->side_weight() *
+        (4.0 * points.col(inner) - points.col(2 * inner - point) - 3.0 * points.col(point));
+    }
     result.segment<2>(2 * Eigen::Index(k)) = places[k].tangents.transpose() * value;
   }
   return result;
@@ -253,9 +261,11 @@ WinslowEquations::Matrix WinslowEquations::picard_matrix(const Points& points) c
     const Eigen::Index inner = this->inner_neighbour(this->Unknowns[k]);
     if (inner >= 0)
     {
-      const double weight = this->side_weight(points, this->Unknowns[k]);
-      entries.emplace_back(int(k), int(k), -weight);
-      entries.emplace_back(int(k), this->Number[std::size_t(inner)], weight);
+      const double weight = this->side_weight();
+      const Eigen::Index second = 2 * inner - this->Unknowns[k];
+      entries.emplace_back(int(k), int(k), -3.0 * weight);
+      entries.emplace_back(int(k), this->Number[std::size_t(inner)], 4.0 * weight);
+      entries.emplace_back(int(k), this->Number[std::size_t(second)], -weight);
       continue;
     }
     const Stencil s = this->stencil(points, this->Unknowns[k]);
@@ -277,7 +287,7 @@ WinslowEquations::Matrix WinslowEquations::picard_matrix(const Points& points) c
 }
 
 WinslowEquations::Matrix WinslowEquations::newton_matrix(
-  const Points& points, const Places& places) const
+  const Points& points, const Places& places, bool held) const
 {
   std::vector<Eigen::Triplet<double, int>> entries;
   entries.reserve(36 * this->Unknowns.size());
@@ -287,15 +297,20 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
     const Eigen::Index inner = this->inner_neighbour(this->Unknowns[k]);
     if (inner >= 0)
     {
-      const double weight = this->side_weight(points, this->Unknowns[k]);
-      const int column = this->Number[std::size_t(inner)];
-      const Eigen::RowVector2d row = weight * tangents.col(0).transpose() *
-        places[std::size_t(column)].tangents;
       const int first = 2 * int(k);
-      entries.emplace_back(first, first, -weight);
+      const double weight = this->side_weight();
+      entries.emplace_back(first, first, -3.0 * weight);
       entries.emplace_back(first + 1, first + 1, -weight); // no second direction to step along
-      entries.emplace_back(first, 2 * column, row(0));
-      entries.emplace_back(first, 2 * column + 1, row(1));
+      const std::array<std::pair<Eigen::Index, double>, 2> others = { { { inner, 4.0 * weight },
+        { 2 * inner - this->Unknowns[k], -weight } } };
+      for (const auto& [point, factor] : others)
+      {
+        const int column = this->Number[std::size_t(point)];
+        const Eigen::RowVector2d row =
+          factor * tangents.col(0).transpose() * places[std::size_t(column)].tangents;
+        entries.emplace_back(first, 2 * column, row(0));
+        entries.emplace_back(first, 2 * column + 1, row(1));
+      }
       continue;
     }
     const Stencil s = this->stencil(points, this->Unknowns[k]);
@@ -309,9 +324,12 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
       {
         continue;
       }
-      Eigen::Matrix2d block = tangents.transpose() * s.derivative(di, dj) *
-        places[std::size_t(column)].tangents;
-      if (di == 0 && dj == 0)
+      const Eigen::Matrix3d derivative = held
+        ? Eigen::Matrix3d(s.weight(di, dj) * Eigen::Matrix3d::Identity())
+        : s.derivative(di, dj);
+      Eigen::Matrix2d block =
+        tangents.transpose() * derivative * places[std::size_t(column)].tangents;
+      if (di == 0 && dj == 0 && !held)
       {
         // A step turns the tangents towards the normal, and with them their part of R.
         const Vector3 normal = tangents.col(0).cross(tangents.col(1));

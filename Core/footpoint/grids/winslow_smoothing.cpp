@@ -18,14 +18,17 @@ constexpr int kCoarsest = 17;
 /// Residual against the start's at which a coarse grid is good enough as a start for the next.
 constexpr double kCoarseTolerance = 1e-4;
 
-/// Picard steps are taken down to this residual, or until there were so many; Newton's method could end
-/// in a folded solution of the difference equations when it starts far away.
+/// Picard steps are taken down to this residual, or until there were so many; Newton's method could
+/// end in a folded solution of the difference equations when it starts far away.
 constexpr double kPicardTolerance = 1e-2;
 constexpr int kPicardSteps = 30;
 
 /// Picard steps after a Newton step that did not help, and halvings of it before.
 constexpr int kRecoverySteps = 3;
-constexpr int kBacktracks = 4;
+constexpr int kBacktracks = 5;
+
+/// Part of the residual that a full Newton step must take away.
+constexpr double kLeastGain = 0.05;
 
 /// The iteration on one grid.
 class LevelSolver
@@ -43,8 +46,7 @@ public:
     {
       this->NumberOnSides[std::size_t(sides->points()[k].point)] = int(k);
     }
-    this->Current =
-      this->place_all(grid.points, sides ? sides->start() : Eigen::VectorXd());
+    this->Current = this->place_all(grid.points, sides ? sides->start() : Eigen::VectorXd());
   }
 
   double residual() const { return this->Current.norm; }
@@ -52,11 +54,11 @@ public:
   int iterations() const { return this->Iterations; }
   double rounding() const { return this->Equations.rounding(this->Current.points); }
 
-  /// Starts from other points, if they are better.
+  /// Starts from other points, if they are better or solve the same equations with the sides fixed.
   void restart(const Points& points)
   {
     WinslowState state = this->place_all(points, this->Current.along_sides);
-    if (state.norm < this->Current.norm)
+    if (state.norm < this->Current.norm || this->Sides)
     {
       this->Current = std::move(state);
     }
@@ -67,7 +69,7 @@ public:
   {
     const double start = this->Current.norm;
     WinslowState best = this->Current;
-    WinslowStep step(this->Equations);
+    WinslowStep step(this->Equations, this->Sides != nullptr);
     int picard_left = picard_steps;
     while (best.norm > target && this->Iterations < maximum_iterations)
     {
@@ -117,9 +119,8 @@ private:
         {
           const Eigen::Index point = unknowns[std::size_t(k)];
           const int side = this->NumberOnSides[std::size_t(point)];
-          state.places[std::size_t(k)] = side >= 0
-            ? this->side_place(side, along_sides(side))
-            : this->Surface.project(points.col(point));
+          state.places[std::size_t(k)] = side >= 0 ? this->side_place(side, along_sides(side))
+                                                   : this->Surface.project(points.col(point));
           state.points.col(point) = state.places[std::size_t(k)].point;
         }
       });
@@ -138,24 +139,34 @@ private:
     return place;
   }
 
+  /// \param fraction of the step; less is taken where points of the sides would come too near each
+  /// other
   WinslowState moved(const Eigen::VectorXd& step, double fraction) const
   {
     Points points = this->Current.points;
+    Eigen::VectorXd along = this->Current.along_sides;
     const auto& unknowns = this->Equations.unknowns();
-    Eigen::VectorXd slide = Eigen::VectorXd::Zero(this->Current.along_sides.size());
+    if (this->Sides)
+    {
+      Eigen::VectorXd slide(along.size());
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+      {
+        const int side = this->NumberOnSides[std::size_t(unknowns[k])];
+        if (side >= 0)
+        {
+          slide(side) = fraction * step(2 * Eigen::Index(k));
+        }
+      }
+      const double allowed = this->Sides->allowed(along, slide);
+      fraction *= allowed;
+      along += allowed * slide;
+    }
     for (std::size_t k = 0; k < unknowns.size(); ++k)
     {
-      const int side = this->NumberOnSides[std::size_t(unknowns[k])];
-      if (side >= 0)
-      {
-        slide(side) = fraction * step(2 * Eigen::Index(k));
-        continue;
-      }
-      points.col(unknowns[k]) += fraction * this->Current.places[k].tangents *
-        step.segment<2>(2 * Eigen::Index(k));
+      points.col(unknowns[k]) +=
+        fraction * this->Current.places[k].tangents * step.segment<2>(2 * Eigen::Index(k));
     }
-    return this->place_all(
-      points, this->Sides ? this->Sides->moved(this->Current.along_sides, slide) : slide);
+    return this->place_all(points, along);
   }
 
   /// A Newton step, halved until the residual falls; false if it never does.
@@ -166,7 +177,7 @@ private:
     for (int k = 0; k < kBacktracks; ++k, fraction *= 0.5)
     {
       WinslowState next = this->moved(full, fraction);
-      if (next.norm < (1.0 - 0.25 * fraction) * this->Current.norm)
+      if (next.norm < (1.0 - kLeastGain * fraction) * this->Current.norm)
       {
         this->Current = std::move(next);
         return true;
@@ -258,8 +269,7 @@ SmoothingResult winslow_smoothing(
     quiet.proceed = [&ask](double) { return ask(0.0); };
     solver.restart(start_from_coarse(scaled, options, surface, quiet).points);
   }
-  result.converged =
-    solver.solve(target, options.maximum_iterations, coarsens ? 0 : kPicardSteps);
+  result.converged = solver.solve(target, options.maximum_iterations, coarsens ? 0 : kPicardSteps);
   result.cancelled = cancelled;
   result.iterations = solver.iterations();
   result.residual = solver.residual() / initial;
@@ -271,7 +281,7 @@ SmoothingResult winslow_smoothing(
     const double slid = slider.residual();
     slider.restart(solved);
     result.converged = slider.solve(std::max(options.tolerance * slid, slider.rounding()),
-      options.maximum_iterations, 0);
+      options.maximum_iterations, kPicardSteps);
     result.cancelled = cancelled;
     result.iterations += slider.iterations();
     result.residual = slider.residual() / slid;

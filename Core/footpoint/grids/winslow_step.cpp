@@ -18,18 +18,17 @@ constexpr int kMostIterations = 60;
 /// Pivots are taken on the diagonal unless another is so many times larger, to keep the ordering.
 constexpr double kPivotThreshold = 1e-3;
 
-/// Tᵀ A⁻¹ T with the Picard matrix A applied to each coordinate and the tangents T of the unknowns: a
-/// solve that does not depend on which tangents were chosen.
+/// Tᵀ A⁻¹ T with the Picard matrix A applied to each coordinate and the tangents T of the unknowns:
+/// a solve that does not depend on which tangents were chosen.
 template <class Factors>
-Eigen::VectorXd apply_inverse(const Factors& factors, const WinslowEquations::Places& places,
-  const Eigen::VectorXd& right)
+Eigen::VectorXd apply_inverse(
+  const Factors& factors, const WinslowEquations::Places& places, const Eigen::VectorXd& right)
 {
   const Eigen::Index size = Eigen::Index(places.size());
   Eigen::MatrixXd coordinates(size, 3);
   for (Eigen::Index k = 0; k < size; ++k)
   {
-    coordinates.row(k) =
-      (places[std::size_t(k)].tangents * right.segment<2>(2 * k)).transpose();
+    coordinates.row(k) = (places[std::size_t(k)].tangents * right.segment<2>(2 * k)).transpose();
   }
   const Eigen::MatrixXd solved = factors.solve(coordinates);
   Eigen::VectorXd result(2 * size);
@@ -84,19 +83,31 @@ void WinslowStep::factorize(const WinslowState& state)
 
 Eigen::VectorXd WinslowStep::picard(const WinslowState& state)
 {
+  if (this->Sliding)
+  {
+    Factors exact;
+    exact.compute(this->Equations.newton_matrix(state.points, state.places, true));
+    return -exact.solve(state.residual);
+  }
   this->factorize(state);
   return -apply_inverse(this->Picard, state.places, state.residual);
 }
 
 Eigen::VectorXd WinslowStep::newton(const WinslowState& state)
 {
+  const Matrix matrix = this->Equations.newton_matrix(state.points, state.places);
+  if (this->Sliding)
+  {
+    Factors exact;
+    exact.compute(matrix);
+    return -exact.solve(state.residual);
+  }
   if (!this->Serves)
   {
     this->factorize(state);
   }
   Eigen::BiCGSTAB<Matrix, TangentPreconditioner<Factors>> solver;
   solver.preconditioner().set(this->Picard, state.places);
-  const Matrix matrix = this->Equations.newton_matrix(state.points, state.places);
   solver.compute(matrix);
   solver.setTolerance(kLinearTolerance);
   solver.setMaxIterations(kMostIterations);

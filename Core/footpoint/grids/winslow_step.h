@@ -23,16 +23,19 @@ class WinslowStep
 {
 public:
   /// \param equations must outlive this
-  explicit WinslowStep(const WinslowEquations& equations)
+  /// \param sliding   points of the sides are unknowns
+  explicit WinslowStep(const WinslowEquations& equations, bool sliding = false)
     : Equations(equations)
+    , Sliding(sliding)
   {
   }
 
   /// Solves the equations with α, β and γ held.
   Eigen::VectorXd picard(const WinslowState& state);
 
-  /// Solves the linearized equations by BiCGSTAB, preconditioned with a Picard matrix that is kept as long
-  /// as it serves.
+  /// Solves the linearized equations by BiCGSTAB, preconditioned with a Picard matrix that is kept
+  /// as long as it serves; with sliding sides by factors of its own, because a matrix that is the
+  /// same for each coordinate does not know a point that has one direction only.
   Eigen::VectorXd newton(const WinslowState& state);
 
 private:
@@ -43,6 +46,7 @@ private:
   void factorize(const WinslowState& state);
 
   const WinslowEquations& Equations;
+  bool Sliding;
   Factors Picard;
   bool Analysed = false;
   bool Serves = false;
