@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 using namespace footpoint::conversion;
 
@@ -308,18 +309,18 @@ int vtkPointInversionFilter::RequestData(
     vtkErrorMacro(<< error.what());
     return 0;
   }
+  catch (const std::invalid_argument&)
+  {
+    vtkErrorMacro("Method " << this->GetMethodAsString()
+                            << " is for curves alone, but the geometry has surfaces.");
+    return 0;
+  }
   for (const std::string& problem : this->Internal->Inverter.problems())
   {
     vtkWarningMacro(<< problem << " (left out)");
   }
   const footpoint::Model& model = this->Internal->Inverter.inverter().model();
   const FootArrayLayout layout = Internals::Layout(this, model);
-  if (layout.has_surfaces && this->Method > SECOND_ORDER)
-  {
-    vtkErrorMacro("Method " << this->GetMethodAsString()
-                            << " is for curves alone, but the geometry has surfaces.");
-    return 0;
-  }
   const PointBlocks points = collect_points(input, output);
   if (points.skipped > 0)
   {
