@@ -49,6 +49,11 @@ std::vector<vtkDataObject*> update_inputs(
   std::vector<vtkDataObject*> data;
   for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
   {
+    vtkInformation* info = input->GetInformationObject(i);
+    if (info->Has(Pipeline::TIME_STEPS()) && info->Length(Pipeline::TIME_STEPS()) > 0)
+    {
+      info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS())[0]);
+    }
     vtkAlgorithmOutput* connection = algorithm->GetInputConnection(port, i);
     vtkExecutive* producer = connection->GetProducer()->GetExecutive();
     vtkDataObject* object = producer->Update(connection->GetIndex())

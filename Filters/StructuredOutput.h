@@ -23,9 +23,9 @@ using Dimensions = std::array<int, 3>;
 /// Asks all connections of an input port for the whole of their data.
 void request_whole_inputs(vtkInformationVector* input);
 
-/// Brings all connections of a port up to date, before the pipeline would. For RequestInformation of
-/// algorithms whose whole extent depends on the content: a wrong one makes filters and writers
-/// downstream produce nothing.
+/// Brings all connections of a port up to date, before the pipeline would; where there are time
+/// steps, at the first. For RequestInformation of algorithms whose whole extent depends on the
+/// content: a wrong one makes filters and writers downstream produce nothing.
 /// \return the data of the connections; those that failed are left out
 std::vector<vtkDataObject*> update_inputs(
   vtkAlgorithm* algorithm, int port, vtkInformationVector* input);

@@ -85,6 +85,11 @@ void vtkGordonSurface::AddGuidesData(vtkDataObject* guides)
   this->AddInputDataInternal(1, guides);
 }
 
+void vtkGordonSurface::RemoveAllGuides()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
 int vtkGordonSurface::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");

@@ -44,11 +44,12 @@ public:
 
   ///@{
   /**
-   * The guides: the only connection, one more, or one more as data.
+   * The guides: the only connection, one more, one more as data, or none.
    */
   void SetGuidesConnection(vtkAlgorithmOutput* algorithmOutput);
   void AddGuidesConnection(vtkAlgorithmOutput* algorithmOutput);
   void AddGuidesData(vtkDataObject* guides);
+  void RemoveAllGuides();
   ///@}
 
   ///@{
