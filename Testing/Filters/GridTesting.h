@@ -52,6 +52,12 @@ inline Sides BordersOf(const std::function<Point(double, double)>& surface)
     [=](double s) { return surface(s, 1); }, [=](double t) { return surface(0, t); } } };
 }
 
+/// A hyperbolic paraboloid, which bilinear interpolation of its borders reproduces.
+inline Point Product(double u, double v)
+{
+  return { { u, v, u * v } };
+}
+
 inline Sides Swan()
 {
   return { { [](double s) { return Point{ { s, 0, 0 } }; },
@@ -104,6 +110,24 @@ inline void CheckGrid(vtkStructuredGrid* grid, int nu, int nv,
     }
   }
 }
+
+/// Writes down the progress and aborts at once if asked to.
+class ProgressWatcher : public vtkCommand
+{
+public:
+  vtkTypeMacro(ProgressWatcher, vtkCommand);
+  static ProgressWatcher* New() { return new ProgressWatcher; }
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    this->Steps.push_back(*static_cast<double*>(data));
+    if (this->Abort && this->Steps.back() < 1.0)
+    {
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+  std::vector<double> Steps;
+  bool Abort = false;
+};
 
 } // namespace testing
 

@@ -112,24 +112,6 @@ void TestOrientations()
   }
 }
 
-/// Writes down the progress and aborts at once if asked to.
-class ProgressWatcher : public vtkCommand
-{
-public:
-  vtkTypeMacro(ProgressWatcher, vtkCommand);
-  static ProgressWatcher* New() { return new ProgressWatcher; }
-  void Execute(vtkObject* caller, unsigned long, void* data) override
-  {
-    this->Steps.push_back(*static_cast<double*>(data));
-    if (this->Abort && this->Steps.back() < 1.0)
-    {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  }
-  std::vector<double> Steps;
-  bool Abort = false;
-};
-
 void TestProgressAndAbort()
 {
   vtkNew<vtkStructuredGridSmoother> smoother;
