@@ -37,6 +37,7 @@ def curve(ends):
 class Proxies(unittest.TestCase):
     def test_defaults(self):
         for name, algorithm_class in PROXIES.items():
+            simple.SetActiveSource(None)  # would become its input
             proxy = getattr(simple, name)()
             algorithm = algorithm_class()
             for option in option_names(algorithm_class).values():
@@ -55,7 +56,7 @@ class Proxies(unittest.TestCase):
         patch.UpdatePipeline()
         grid = servermanager.Fetch(patch, idx=0)
         self.assertEqual(grid.GetDimensions(), (5, 4, 1))
-        mesh = servermanager.Fetch(simple.OutputPort(patch, 1))
+        mesh = servermanager.Fetch(patch, idx=1)
         self.assertEqual(mesh.GetNumberOfPolys(), 24)
         patch.Input = lines([[0, 0, 0], [2, 0, 0], [1, 2, 0]])
         patch.UpdatePipeline()
