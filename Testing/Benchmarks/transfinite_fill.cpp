@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// How fast a patch is made against filling the same array with zeros, one thread, the two by turns:
-/// into fresh memory (each run maps its pages anew) and into memory that was written before.
+/// How fast a patch is made against filling the same array with zeros, one thread, the two by
+/// turns: into fresh memory (each run maps its pages anew) and into memory that was written before.
 /// Prints medians in seconds and the ratios zeros / patch. Usage: transfinite_fill [points a side]
 
 #include "footpoint/grids/transfinite.h"
@@ -80,17 +80,13 @@ int main(int argc, char** argv)
     }
     {
       const Memory fresh = allocate(bytes);
-      fresh_patch.push_back(
-        seconds([&] { footpoint::transfinite_kernel(sides, fresh.get()); }));
+      fresh_patch.push_back(seconds([&] { footpoint::transfinite_kernel(sides, fresh.get()); }));
       sum += fresh.get()[run];
     }
     reused_zeros.push_back(seconds([&] { std::memset(reused.get(), 0, bytes); }));
     sum += reused.get()[run];
-    reused_patch.push_back(seconds(
-      [&]
-      {
-        footpoint::transfinite_kernel(sides, reused.get(), footpoint::OutputMemory::Written);
-      }));
+    reused_patch.push_back(seconds([&]
+      { footpoint::transfinite_kernel(sides, reused.get(), footpoint::OutputMemory::Written); }));
     sum += reused.get()[run];
   }
   std::printf("%d x %d points, %.0f MB, median of %d (checksum %g)\n", count, count, 1e-6 * bytes,

@@ -82,6 +82,21 @@ inline Points loop_of(const std::vector<Points>& sides)
     { open(sides[0]), open(sides[1]), open(reversed(sides[2])), open(reversed(sides[3])) });
 }
 
+inline std::vector<Points> unit_square(int count = 5)
+{
+  return border([](double s, double t) { return Vector3(s, t, 0.0); }, count, count);
+}
+
+inline void expect_same(const footpoint::Boundary& a, const footpoint::Boundary& b)
+{
+  for (int role = 0; role < 4; ++role)
+  {
+    ASSERT_EQ(a.sides[role].cols(), b.sides[role].cols()) << role;
+    EXPECT_TRUE(a.sides[role] == b.sides[role]) << role;
+    EXPECT_EQ(a.corner_gaps[role], b.corner_gaps[role]) << role;
+  }
+}
+
 inline void expect_refused(const std::function<void()>& call, footpoint::BoundaryDefect defect,
   const std::string& message_part)
 {

@@ -56,16 +56,15 @@ TEST(GridFaces, Normals)
 {
   for (const double scale : { 1e-12, 1.0, 1e12 })
   {
-    const Grid plane = grid_of(
-      [scale](double s, double t) -> Vector3 { return scale * Vector3(s, 0.6 * t, 0.8 * t); }, 4, 3);
-    EXPECT_LE((footpoint::point_normals(plane).colwise() - Vector3(0, -0.8, 0.6))
-                .cwiseAbs()
-                .maxCoeff(),
+    const Grid plane = grid_of([scale](double s, double t) -> Vector3
+      { return scale * Vector3(s, 0.6 * t, 0.8 * t); },
+      4, 3);
+    EXPECT_LE(
+      (footpoint::point_normals(plane).colwise() - Vector3(0, -0.8, 0.6)).cwiseAbs().maxCoeff(),
       1e-15);
   }
   const Grid sphere = grid_of(
-    [](double s, double t) -> Vector3
-    {
+    [](double s, double t) -> Vector3 {
       return { std::cos(s) * std::cos(t), std::sin(s) * std::cos(t), std::sin(t) };
     },
     101, 101);
@@ -97,16 +96,19 @@ TEST(GridFaces, NormalsWhereCellsHaveNone)
       [&](double s, double t) -> Vector3 { return origin + (s + t * t) * direction; }, 5, 6);
     EXPECT_TRUE(footpoint::point_normals(collinear) == Points::Zero(3, 30)) << offset;
   }
-  EXPECT_TRUE(
-    footpoint::point_normals(grid_of([](double, double) { return Vector3(1, 2, 3); }, 3, 3)) ==
-    Points::Zero(3, 9));
+  EXPECT_TRUE(footpoint::point_normals(grid_of(
+                [](double, double) { return Vector3(1, 2, 3); }, 3, 3)) == Points::Zero(3, 9));
   // Folded onto itself: at the fold the areas cancel, and the normal of the whole grid stands in.
   const Grid folded = grid_of(
-    [](double s, double t) { return Vector3(s < 0.4 ? 3 * s : s < 0.7 ? 0.0 : 4.0, t, 0); }, 4, 2);
+    [](double s, double t) {
+      return Vector3(s < 0.4 ? 3 * s : s < 0.7 ? 0.0 : 4.0, t, 0);
+    },
+    4, 2);
   const Points normals = footpoint::point_normals(folded);
   EXPECT_TRUE(normals.allFinite());
   EXPECT_LE((normals.col(1) - Vector3(0, 0, 1)).norm(), 1e-15);
   // One side collapsed.
   const Grid fan = grid_of([](double s, double t) { return Vector3(s * (1 - t), t, 0); }, 4, 4);
-  EXPECT_LE((footpoint::point_normals(fan).colwise() - Vector3(0, 0, 1)).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LE(
+    (footpoint::point_normals(fan).colwise() - Vector3(0, 0, 1)).cwiseAbs().maxCoeff(), 1e-15);
 }

@@ -43,13 +43,14 @@ Boundary boundary_of(const std::function<Vector3(double, double)>& map, int nu =
   return assemble_sides(border(map, nu, nv), {}, kStrict);
 }
 
-TransfiniteOptions own_samples(GridParametrization parametrization = GridParametrization::Uniform,
-  Blend blend = Blend::Bilinear)
+TransfiniteOptions own_samples(
+  GridParametrization parametrization = GridParametrization::Uniform, Blend blend = Blend::Bilinear)
 {
   return { { { 0, 0 } }, parametrization, blend };
 }
 
-void expect_map(const Grid& grid, const std::function<Vector3(double, double)>& map, double tolerance)
+void expect_map(
+  const Grid& grid, const std::function<Vector3(double, double)>& map, double tolerance)
 {
   for (int j = 0; j < grid.count[1]; ++j)
   {
@@ -99,8 +100,8 @@ TEST(Transfinite, ClosedForms)
   const auto squares = [](double s, double t) { return Vector3(s, t, s * s * t * t); };
   const Grid grid = transfinite_grid(boundary_of(squares)).grid;
   EXPECT_NEAR(grid.points(2, grid.index(10, 10)), 0.0, 1e-16); // the surface has 1/16
-  expect_map(grid,
-    [](double s, double t) { return Vector3(s, t, t * s * s + s * t * t - s * t); }, 1e-15);
+  expect_map(
+    grid, [](double s, double t) { return Vector3(s, t, t * s * s + s * t * t - s * t); }, 1e-15);
 
   const auto swan = [](double u, double v)
   { return Vector3(u * (1 + 2 * v - 2 * v * v), v * (1 - 3 * u + 3 * u * u), 0); };
@@ -139,9 +140,9 @@ TEST(Transfinite, SonisParameters)
 
   // Both pairs differ: the lines between facing points cross at Soni's point.
   right(1, 1) = 0.5;
-  const TransfiniteResult crossed = transfinite_grid(
-    assemble_sides({ bottom, right, top, left }, {}, kStrict),
-    own_samples(GridParametrization::ArcLengthBlended));
+  const TransfiniteResult crossed =
+    transfinite_grid(assemble_sides({ bottom, right, top, left }, {}, kStrict),
+      own_samples(GridParametrization::ArcLengthBlended));
   const double s = (.5 + .3 * .1) / (1 - .1 * .2);
   EXPECT_LE((crossed.grid.points.col(4) - Vector3(s, .3 + .2 * s, 0)).norm(), 1e-15);
 
@@ -213,8 +214,10 @@ TEST(Transfinite, OpposedGrowthRatios)
     EXPECT_NEAR(blended.grid.points(1, at), blended.arc_length_v[at], 1e-14);
   }
   const Grid even = transfinite_grid(
-    boundary, { { { 21, 21 } }, GridParametrization::ArcLengthResampled, Blend::Bilinear }).grid;
-  expect_map(even, [](double s, double t) { return Vector3(s, t, 0); }, 1e-14);
+    boundary, { { { 21, 21 } }, GridParametrization::ArcLengthResampled, Blend::Bilinear })
+                      .grid;
+  expect_map(
+    even, [](double s, double t) { return Vector3(s, t, 0); }, 1e-14);
 }
 
 TEST(Transfinite, RepeatedPointsAndCollapsedSides)
@@ -245,12 +248,21 @@ TEST(Transfinite, RepeatedPointsAndCollapsedSides)
 TEST(Transfinite, ResolutionsAreRefused)
 {
   const Boundary boundary = boundary_of(wavy);
-  expect_refused([&] { transfinite_grid(boundary, { { { 1, 1 } } }); }, BoundaryDefect::Resolution,
-    "Resolution[0] = 1; a grid has at least 2 points");
-  expect_refused([&] { transfinite_grid(boundary, { { { 5, 1 } } }); }, BoundaryDefect::Resolution,
-    "Resolution[1] = 1");
-  expect_refused([&] { transfinite_grid(boundary, { { { -3, 5 } } }); }, BoundaryDefect::Resolution,
-    "Resolution[0] = -3");
+  expect_refused(
+    [&] {
+      transfinite_grid(boundary, { { { 1, 1 } } });
+    },
+    BoundaryDefect::Resolution, "Resolution[0] = 1; a grid has at least 2 points");
+  expect_refused(
+    [&] {
+      transfinite_grid(boundary, { { { 5, 1 } } });
+    },
+    BoundaryDefect::Resolution, "Resolution[1] = 1");
+  expect_refused(
+    [&] {
+      transfinite_grid(boundary, { { { -3, 5 } } });
+    },
+    BoundaryDefect::Resolution, "Resolution[0] = -3");
   EXPECT_EQ(transfinite_grid(boundary, { { { 2, 2 } } }).grid.points.cols(), 4);
 }
 
@@ -264,8 +276,8 @@ TEST(Transfinite, KernelIsTheSameForAllMemoryAndThreads)
   transfinite_kernel(boundary.sides, streamed.data(), OutputMemory::Written);
   transfinite_kernel(boundary.sides, shifted.data() + 1, OutputMemory::Written);
   Execution two_threads;
-  two_threads.parallel_for = [](std::int64_t count,
-                               const std::function<void(std::int64_t, std::int64_t)>& body)
+  two_threads.parallel_for =
+    [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
   {
     std::thread other([&] { body(0, count / 2); });
     body(count / 2, count);
@@ -304,8 +316,7 @@ TEST(Bicubic, ReproducesWhatCubicTangentsDetermine)
   expect_map(implied.grid, map, 1e-13);
   EXPECT_LE(implied.twist_incompatibility, 1e-12);
 
-  const auto twist = [](double s, double t)
-  { return Vector3(0.3 * s * s, -0.4 * t, 4 * s * t); };
+  const auto twist = [](double s, double t) { return Vector3(0.3 * s * s, -0.4 * t, 4 * s * t); };
   ribbons.twists = { { twist(0, 0), twist(1, 0), twist(1, 1), twist(0, 1) } };
   ribbons.given_twists = true;
   expect_map(transfinite_grid(boundary_of(map), options, &ribbons).grid, map, 1e-13);
@@ -318,8 +329,8 @@ TEST(Bicubic, EstimatedTangentsReproduceBilinearBlends)
 {
   // u²v + uv² is its own bilinear blend; tangents and twists estimated from the border are its own.
   const auto map = [](double s, double t) { return Vector3(s, t, s * s * t + s * t * t); };
-  const TransfiniteResult result = transfinite_grid(
-    boundary_of(map), own_samples(GridParametrization::Uniform, Blend::Bicubic));
+  const TransfiniteResult result =
+    transfinite_grid(boundary_of(map), own_samples(GridParametrization::Uniform, Blend::Bicubic));
   expect_map(result.grid, map, 1e-13);
   EXPECT_LE(result.twist_incompatibility, 1e-12);
 }
@@ -329,7 +340,8 @@ TEST(Bicubic, IncompatibleTwistsAreMeasuredAndTangentsStillMet)
   const auto plane = [](double s, double t) { return Vector3(s, t, 0); };
   const int count = 401;
   Ribbons ribbons;
-  ribbons.tangents[kBottom] = sampled(count, [](double s) { return Vector3(0, 1, 2 * s * (1 - s)); });
+  ribbons.tangents[kBottom] =
+    sampled(count, [](double s) { return Vector3(0, 1, 2 * s * (1 - s)); });
   ribbons.tangents[kTop] = sampled(count, [](double) { return Vector3(0, 1, 0); });
   ribbons.tangents[kLeft] = sampled(count, [](double t) { return Vector3(1, 0, -t * (1 - t)); });
   ribbons.tangents[kRight] = sampled(count, [](double) { return Vector3(1, 0, 0); });
@@ -363,7 +375,8 @@ TEST(Transfinite, SidesFromExactCurves)
   Points ends(3, 2);
   ends.transpose() << 0, 0, 7, 3, 0, 7;
   const Pointer straight = std::make_shared<Curve>(KnotVector(1, { 0, 0, 1, 1 }), ends);
-  const auto sides = footpoint::sample_sides({ { quarter, straight, quarter, straight } }, { { 9, 4 } });
+  const auto sides =
+    footpoint::sample_sides({ { quarter, straight, quarter, straight } }, { { 9, 4 } });
   EXPECT_EQ(sides[kBottom].cols(), 9);
   EXPECT_EQ(sides[kRight].cols(), 4);
   EXPECT_LE((sides[kBottom].col(4) - Vector3(M_SQRT1_2, M_SQRT1_2, 0)).norm(), 1e-15);
@@ -373,7 +386,10 @@ TEST(Transfinite, SidesFromExactCurves)
     EXPECT_NEAR(sides[kTop].col(i).norm(), 1.0, 1e-15);
   }
   EXPECT_TRUE(sides[kBottom].col(8) == Vector3(0, 1, 0));
-  expect_refused([&] { footpoint::sample_sides({ { quarter, straight, quarter, straight } }, { { 0, 4 } }); },
+  expect_refused(
+    [&] {
+      footpoint::sample_sides({ { quarter, straight, quarter, straight } }, { { 0, 4 } });
+    },
     BoundaryDefect::Resolution, "Resolution[0] = 0");
 }
 
@@ -418,7 +434,12 @@ TEST(MidpointSubdivision, PatchesShareTheirLinesAndFillThePolygon)
     }
     EXPECT_NEAR(area, 0.5 * n * std::sin(2 * M_PI / n), 1e-14);
   }
-  expect_refused([] { midpoint_subdivision({ line({ 0, 0, 0 }, { 1, 0, 0 }), line({ 1, 0, 0 }, { 0, 1, 0 }),
-                        line({ 0, 2, 0 }, { 0, 0, 0 }) }, 3); },
+  expect_refused(
+    []
+    {
+      midpoint_subdivision({ line({ 0, 0, 0 }, { 1, 0, 0 }), line({ 1, 0, 0 }, { 0, 1, 0 }),
+                             line({ 0, 2, 0 }, { 0, 0, 0 }) },
+        3);
+    },
     BoundaryDefect::Gap, "the end of side 1 and the start of side 2 are 1 (");
 }

@@ -54,8 +54,8 @@ double largest_error(const VolumeResult& result, const Map& map)
       {
         const Vector3 expected =
           map(i / (count[0] - 1.0), j / (count[1] - 1.0), k / (count[2] - 1.0));
-        error = std::max(
-          error, (result.grid.points.col(result.grid.index(i, j, k)) - expected).norm());
+        error =
+          std::max(error, (result.grid.points.col(result.grid.index(i, j, k)) - expected).norm());
       }
     }
   }
@@ -99,7 +99,10 @@ TEST(TransfiniteVolume, ClosedForms)
   EXPECT_FALSE(result.mirrored);
   // Products of which one factor at least is linear are reproduced.
   const Map ruled = [](double u, double v, double w)
-  { return Vector3(u + v * v * w * w * u, v + u * u * w * w * w * v, w + std::exp(u) * std::sin(v) * w); };
+  {
+    return Vector3(
+      u + v * v * w * w * u, v + u * u * w * w * w * v, w + std::exp(u) * std::sin(v) * w);
+  };
   EXPECT_LE(largest_error(transfinite_volume(faces_of(ruled, { { 6, 4, 7 } })), ruled), 1e-14);
 }
 
@@ -151,7 +154,8 @@ TEST(TransfiniteVolume, BadFacesAreNamed)
     "the face v = 0 has 7 points along u; others have 5");
   faces = faces_of(wavy, { { 5, 4, 6 } });
   faces[3].points(0, 2) = NAN;
-  expect_refused([&] { transfinite_volume(faces); }, BoundaryDefect::NotFinite, "point 2 of face 3");
+  expect_refused(
+    [&] { transfinite_volume(faces); }, BoundaryDefect::NotFinite, "point 2 of face 3");
   faces[0].count = { { 1, 6 } };
   expect_refused([&] { transfinite_volume(faces); }, BoundaryDefect::Resolution, "the face u = 0");
 }

@@ -11,8 +11,8 @@ namespace footpoint
 namespace
 {
 
-/// Derivative at the first (last) of evenly spaced samples over [0, 1], from up to four of them: exact
-/// for cubics where there are as many.
+/// Derivative at the first (last) of evenly spaced samples over [0, 1], from up to four of them:
+/// exact for cubics where there are as many.
 Vector3 end_derivative(const Points& samples, bool last)
 {
   static const std::array<std::array<double, 4>, 4> weights{ { { { 0.0, 0.0, 0.0, 0.0 } },
@@ -131,8 +131,7 @@ BicubicBoundary complete_ribbons(const std::array<Points, 4>& sides, const Ribbo
   return boundary;
 }
 
-Vector3 bicubic_point(
-  const BicubicBoundary& b, Eigen::Index i, Eigen::Index j, double s, double t)
+Vector3 bicubic_point(const BicubicBoundary& b, Eigen::Index i, Eigen::Index j, double s, double t)
 {
   const Eigen::Vector4d along_s = hermite(s);
   const Eigen::Vector4d along_t = hermite(t);
@@ -159,12 +158,11 @@ Vector3 bicubic_point(
       const Eigen::Index column = u == 0 ? 0 : last_u;
       const Points& rightwards = b.tangents[u == 0 ? kLeft : kRight];
       const int corner = v == 0 ? u : 3 - u;
-      const Vector3 twist = blended_twist(
-        b.twists[corner], u == 0 ? s : 1.0 - s, v == 0 ? t : 1.0 - t);
+      const Vector3 twist =
+        blended_twist(b.twists[corner], u == 0 ? s : 1.0 - s, v == 0 ? t : 1.0 - t);
       common += along_s[u] * along_t[v] * (side.col(column) - origin) +
         along_s[2 + u] * along_t[v] * rightwards.col(v == 0 ? 0 : last_v) +
-        along_s[u] * along_t[2 + v] * upwards.col(column) +
-        along_s[2 + u] * along_t[2 + v] * twist;
+        along_s[u] * along_t[2 + v] * upwards.col(column) + along_s[2 + u] * along_t[2 + v] * twist;
     }
   }
   return origin + ((rising + across) - common);

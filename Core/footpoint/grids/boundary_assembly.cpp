@@ -56,8 +56,8 @@ std::string sizes_text(const std::vector<Points>& loops)
 }
 
 /// One loop, or three or four open chains, of many short polylines.
-Boundary assemble_chains(const Points& points, const std::vector<std::vector<int>>& lines,
-  const BoundaryOptions& options)
+Boundary assemble_chains(
+  const Points& points, const std::vector<std::vector<int>>& lines, const BoundaryOptions& options)
 {
   std::vector<std::array<int, 2>> segments;
   for (const std::vector<int>& line : lines)

@@ -37,7 +37,8 @@ BoundaryScale measure(const std::vector<Points>& polylines, const BoundaryOption
   }
   scale.size = box.diagonal().norm();
   scale.centre = box.min() + 0.5 * box.diagonal();
-  const double coordinate = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double coordinate =
+    std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   scale.merge = std::max(options.merge_tolerance * scale.size, kCoordinateRounding * coordinate);
   scale.largest = std::max(options.corner_tolerance * scale.size, scale.merge);
   return scale;

@@ -33,8 +33,8 @@ bool comes_before(const Points& loop, const Reading& a, const Reading& b)
 {
   for (Eigen::Index i = 0; i < loop.cols(); ++i)
   {
-    const int order = compare_points(
-      loop.col(index_in(a, i, loop.cols())), loop.col(index_in(b, i, loop.cols())));
+    const int order =
+      compare_points(loop.col(index_in(a, i, loop.cols())), loop.col(index_in(b, i, loop.cols())));
     if (order != 0)
     {
       return order < 0;
@@ -183,8 +183,8 @@ std::vector<Eigen::Index> corners_by_angle(const MeasuredLoop& loop, double leas
   return corners;
 }
 
-/// Cuts the longest piece between corners at the point nearest to its middle; false where no piece has
-/// a point inside.
+/// Cuts the longest piece between corners at the point nearest to its middle; false where no piece
+/// has a point inside.
 bool add_corner(const MeasuredLoop& loop, std::vector<Eigen::Index>& corners)
 {
   const Eigen::Index count = loop.points.cols();
@@ -253,7 +253,8 @@ Boundary split_at_ids(const Points& loop, Eigen::Index given_count, const Bounda
   if (options.corner_ids.size() != 4)
   {
     throw BoundaryError(BoundaryDefect::Corners,
-      "there are " + std::to_string(options.corner_ids.size()) + " corner ids; a loop is split at four");
+      "there are " + std::to_string(options.corner_ids.size()) +
+        " corner ids; a loop is split at four");
   }
   std::vector<Eigen::Index> corners;
   for (const int id : options.corner_ids)
@@ -266,8 +267,7 @@ Boundary split_at_ids(const Points& loop, Eigen::Index given_count, const Bounda
     }
     corners.push_back(id % loop.cols()); // the repeated first point, if there is one, is the first
   }
-  const auto ahead = [&](int k)
-  { return (corners[k] - corners[0] + loop.cols()) % loop.cols(); };
+  const auto ahead = [&](int k) { return (corners[k] - corners[0] + loop.cols()) % loop.cols(); };
   const bool along = 0 < ahead(1) && ahead(1) < ahead(2) && ahead(2) < ahead(3);
   const bool against = ahead(1) > ahead(2) && ahead(2) > ahead(3) && ahead(3) > 0;
   if (!along && !against)
@@ -287,8 +287,8 @@ Boundary split_at_ids(const Points& loop, Eigen::Index given_count, const Bounda
     return along ? Points(piece_between(loop, corners[from], corners[to]).rowwise().reverse())
                  : piece_between(loop, corners[to], corners[from]);
   };
-  Boundary boundary = assemble_sides(
-    { side(0, 1), side(1, 2), backwards(2, 3), backwards(3, 0) }, {}, strict);
+  Boundary boundary =
+    assemble_sides({ side(0, 1), side(1, 2), backwards(2, 3), backwards(3, 0) }, {}, strict);
   for (int role = 0; role < 4; ++role)
   {
     boundary.reports[role] = { 0, along == (role == kTop || role == kLeft) };

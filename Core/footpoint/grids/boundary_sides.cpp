@@ -48,7 +48,8 @@ void check_duplicates(const std::vector<Points>& polylines, const BoundaryScale&
       bool seam = polylines.size() == 4;
       for (std::size_t other = 0; other < polylines.size(); ++other)
       {
-        seam = seam && (other == i || other == j ? !closed(polylines[other]) : closed(polylines[other]));
+        seam =
+          seam && (other == i || other == j ? !closed(polylines[other]) : closed(polylines[other]));
       }
       if (!seam)
       {
@@ -139,7 +140,10 @@ std::array<bool, 4> check_lengths(const RoleAssignment& assignment,
     }
     const bool opposite = all.size() == 2 && all[1] - all[0] == 2;
     throw BoundaryError(BoundaryDefect::Degenerate,
-      names + (all.size() > 2 ? ": sides" : opposite ? ": two opposite sides" : ": two adjacent sides") +
+      names +
+        (all.size() > 2 ? ": sides"
+            : opposite  ? ": two opposite sides"
+                        : ": two adjacent sides") +
         " without length; at most one may collapse to a point");
   }
   return point;
@@ -186,8 +190,8 @@ Boundary close_corners(const RoleAssignment& assignment, const std::vector<Point
       side = first.replicate(1, input < 0 ? 2 : polylines[input].cols());
       continue;
     }
-    side = assignment.reversed[role] ? Points(polylines[input].rowwise().reverse())
-                                     : polylines[input];
+    side =
+      assignment.reversed[role] ? Points(polylines[input].rowwise().reverse()) : polylines[input];
     side.col(0) = first;
     side.col(side.cols() - 1) = corners[corner_of_end[role][1]];
   }
@@ -215,7 +219,8 @@ Boundary assemble_sides(const std::vector<Points>& polylines, const std::vector<
   if (polylines.size() != 3 && polylines.size() != 4)
   {
     throw BoundaryError(BoundaryDefect::Count,
-      "there are " + std::to_string(polylines.size()) + " polylines; a patch has four sides, or three");
+      "there are " + std::to_string(polylines.size()) +
+        " polylines; a patch has four sides, or three");
   }
   check_polylines(polylines, 2, "polyline");
   const BoundaryScale scale = measure(polylines, options);

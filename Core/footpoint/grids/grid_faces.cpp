@@ -10,15 +10,16 @@ namespace footpoint
 namespace
 {
 
-/// Twice the vector area of a quad is the cross product of its diagonals. Below the rounding of that
-/// product (of the coordinates, where the grid is far from the origin) it has no direction.
+/// Twice the vector area of a quad is the cross product of its diagonals. Below the rounding of
+/// that product (of the coordinates, where the grid is far from the origin) it has no direction.
 Vector3 vector_area(
   const Points& points, const std::array<std::int64_t, 4>& quad, double coordinate_rounding)
 {
   const Vector3 first = points.col(quad[2]) - points.col(quad[0]);
   const Vector3 second = points.col(quad[3]) - points.col(quad[1]);
   const Vector3 product = first.cross(second);
-  const double noise = 64.0 * std::numeric_limits<double>::epsilon() * first.norm() * second.norm() +
+  const double noise =
+    64.0 * std::numeric_limits<double>::epsilon() * first.norm() * second.norm() +
     coordinate_rounding * (first.norm() + second.norm());
   if (!(product.norm() > noise))
   {

@@ -23,9 +23,9 @@ std::vector<std::array<std::int64_t, 4>> quads(const Grid& grid);
 /// Point indices of all triangles, two a cell.
 std::vector<std::array<std::int64_t, 3>> triangles(const Grid& grid, TriangleStyle style);
 
-/// Unit normals at the points: the area-weighted normals of the adjacent quads, added up. Where they
-/// cancel or have no area the normal of the whole grid; where that has none either (all points on a
-/// line) zero, never NaN.
+/// Unit normals at the points: the area-weighted normals of the adjacent quads, added up. Where
+/// they cancel or have no area the normal of the whole grid; where that has none either (all points
+/// on a line) zero, never NaN.
 Points point_normals(const Grid& grid);
 
 /// (s, t) = (i / (nu − 1), j / (nv − 1)) of each point.

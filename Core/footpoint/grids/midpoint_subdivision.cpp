@@ -63,8 +63,8 @@ std::vector<Grid> midpoint_subdivision(const std::vector<Points>& given, int hal
   for (const Points& side : sides)
   {
     halved.push_back(sample_by_arc_length(side, even_spacing(2 * half_resolution + 1)));
-    centre += (halved.back().col(half_resolution) - sides[0].col(0)) /
-      static_cast<double>(sides.size());
+    centre +=
+      (halved.back().col(half_resolution) - sides[0].col(0)) / static_cast<double>(sides.size());
   }
   centre += sides[0].col(0);
   std::vector<Points> spokes;

@@ -14,13 +14,12 @@ std::vector<int> merge_points(const Points& points, double distance)
   std::vector<int> merged(count);
   std::iota(merged.begin(), merged.end(), 0);
 
-  // === Points in the order of a height in which near ones are near each other. Its direction is none
-  // that drawings use, along which thousands of points would be equally high.
+  // === Points in the order of a height in which near ones are near each other. Its direction is
+  // none that drawings use, along which thousands of points would be equally high.
   const Vector3 direction = Vector3(0.6180339887, 0.4142135624, 0.6677).normalized();
   const Eigen::VectorXd height = points.transpose() * direction;
   std::vector<int> order = merged;
-  std::stable_sort(
-    order.begin(), order.end(), [&](int a, int b) { return height[a] < height[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return height[a] < height[b]; });
   std::vector<std::size_t> rank(count);
   for (std::size_t k = 0; k < count; ++k)
   {

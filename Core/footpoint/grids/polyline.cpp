@@ -68,7 +68,8 @@ Points sample_by_arc_length(const Points& polyline, const Eigen::VectorXd& at)
       continue;
     }
     // The segment that ends behind `at`: it has a length, repeated points are passed over.
-    const Eigen::Index next = std::upper_bound(length.begin(), length.end(), at[k]) - length.begin();
+    const Eigen::Index next =
+      std::upper_bound(length.begin(), length.end(), at[k]) - length.begin();
     const Eigen::Index first = std::min(next, polyline.cols() - 1) - 1;
     const double span = length[first + 1] - length[first];
     samples.col(k) = between(polyline, first, (at[k] - length[first]) / span);

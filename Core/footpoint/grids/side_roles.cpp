@@ -36,8 +36,8 @@ int compare(const Points& a, bool reverse_a, const Points& b, bool reverse_b)
   const Eigen::Index count = std::min(a.cols(), b.cols());
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    const int order = compare_points(a.col(reverse_a ? a.cols() - 1 - i : i),
-      b.col(reverse_b ? b.cols() - 1 - i : i));
+    const int order = compare_points(
+      a.col(reverse_a ? a.cols() - 1 - i : i), b.col(reverse_b ? b.cols() - 1 - i : i));
     if (order != 0)
     {
       return order;
@@ -54,8 +54,7 @@ std::vector<Candidate> canonical_candidates(
   {
     const Points& p = polylines[index];
     const bool flip = !keep_as_given && compare(p, true, p, false) < 0;
-    const auto at = [&](Eigen::Index i) -> Vector3
-    { return p.col(flip ? p.cols() - 1 - i : i); };
+    const auto at = [&](Eigen::Index i) -> Vector3 { return p.col(flip ? p.cols() - 1 - i : i); };
     Candidate candidate{ static_cast<int>(index), flip, at(0), at(p.cols() - 1), Vector3::Zero() };
     for (Eigen::Index i = 0; i + 1 < p.cols(); ++i)
     {
@@ -86,7 +85,8 @@ std::vector<int> checked_roles(const std::vector<int>& roles, std::size_t count)
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::string entry = "BoundaryRole[" + std::to_string(i) + "] = " + std::to_string(roles[i]);
+    const std::string entry =
+      "BoundaryRole[" + std::to_string(i) + "] = " + std::to_string(roles[i]);
     if (roles[i] < -1 || roles[i] > 3)
     {
       throw BoundaryError(
@@ -154,7 +154,8 @@ std::vector<RoleAssignment> all_assignments(
   std::vector<RoleAssignment> assignments;
   for (const int point : collapsed)
   {
-    std::array<int, 4> order{ { 0, 1, 2, 3 } }; // role of each candidate; of the last of three: none
+    std::array<int, 4> order{ { 0, 1, 2,
+      3 } }; // role of each candidate; of the last of three: none
     do
     {
       bool allowed = count == 4 || order[3] == point;
@@ -224,9 +225,9 @@ void keep_best(std::vector<RoleAssignment>& assignments, double slack,
   {
     best = std::max(best, score(assignment));
   }
-  assignments.erase(std::remove_if(assignments.begin(), assignments.end(),
-                      [&](const RoleAssignment& assignment)
-                      { return score(assignment) < best - slack; }),
+  assignments.erase(
+    std::remove_if(assignments.begin(), assignments.end(),
+      [&](const RoleAssignment& assignment) { return score(assignment) < best - slack; }),
     assignments.end());
 }
 
@@ -240,8 +241,8 @@ double squared_gaps(const RoleAssignment& assignment, double size)
 
 } // namespace
 
-RoleAssignment assign_roles(const std::vector<Points>& polylines, const std::vector<int>& given_roles,
-  const BoundaryScale& scale, bool strict)
+RoleAssignment assign_roles(const std::vector<Points>& polylines,
+  const std::vector<int>& given_roles, const BoundaryScale& scale, bool strict)
 {
   std::vector<int> roles = checked_roles(given_roles, polylines.size());
   if (strict && polylines.size() == 4 &&
@@ -258,8 +259,8 @@ RoleAssignment assign_roles(const std::vector<Points>& polylines, const std::vec
   const std::vector<Candidate> candidates = canonical_candidates(polylines, scale.centre, strict);
   std::vector<RoleAssignment> assignments = all_assignments(candidates, roles, strict);
 
-  keep_best(assignments, 0.0,
-    [&](const RoleAssignment& a) { return -squared_gaps(a, scale.size); });
+  keep_best(
+    assignments, 0.0, [&](const RoleAssignment& a) { return -squared_gaps(a, scale.size); });
 
   const Vector3 area = area_vector(assignments.front(), candidates);
   const View view = view_of(area);

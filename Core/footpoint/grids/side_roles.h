@@ -30,12 +30,12 @@ constexpr std::array<CornerEnds, 4> kCorners{ { { { { kBottom, kLeft } }, { { 0,
 /// Finds the roles of three or four polylines by their geometry alone, so that order and direction
 /// make no difference, not in a single bit:
 /// 1. The ends must meet as well as they can: least sum of squared corner gaps.
-/// 2. Right follows the end of the bottom counter-clockwise, for an observer who looks along −z at a
-///    boundary that lies flat (right is +x and up is +y for him), along +y at one that stands facing
-///    y (right +x, up +z), along −x at one that stands facing x (right +y, up +z); which one it is,
-///    the largest component of its area vector says.
-/// 3. To the same observer u runs as much to the right and v as much upwards as can be; among equals
-///    C00 is the leftmost corner, then the lowest.
+/// 2. Right follows the end of the bottom counter-clockwise, for an observer who looks along −z at
+///    a boundary that lies flat (right is +x and up is +y for him), along +y at one that stands
+///    facing y (right +x, up +z), along −x at one that stands facing x (right +y, up +z); which one
+///    it is, the largest component of its area vector says.
+/// 3. To the same observer u runs as much to the right and v as much upwards as can be; among
+///    equals C00 is the leftmost corner, then the lowest.
 /// Of three polylines the top is the collapsed side where roles do not say otherwise.
 /// \param roles by polyline: a Role, or −1 for "find out"; empty: all −1
 /// \throw BoundaryError (Count) where roles are no roles or given twice

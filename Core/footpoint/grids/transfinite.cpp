@@ -21,8 +21,7 @@ int resolution_along(const Boundary& boundary, const TransfiniteOptions& options
   {
     const Role first = direction == 0 ? kBottom : kLeft;
     const Role second = direction == 0 ? kTop : kRight;
-    return static_cast<int>(
-      std::max(boundary.sides[first].cols(), boundary.sides[second].cols()));
+    return static_cast<int>(std::max(boundary.sides[first].cols(), boundary.sides[second].cols()));
   }
   if (given < 2)
   {
@@ -60,8 +59,8 @@ std::array<Eigen::VectorXd, 4> border_arc_lengths(const std::array<Points, 4>& s
   return lengths;
 }
 
-/// B. K. Soni's (1985) parameters at (i, j): where the straight line that joins equal grid indices of
-/// left and right crosses that of bottom and top, in the square of arc lengths.
+/// B. K. Soni's (1985) parameters at (i, j): where the straight line that joins equal grid indices
+/// of left and right crosses that of bottom and top, in the square of arc lengths.
 Eigen::Vector2d soni_parameters(
   const std::array<Eigen::VectorXd, 4>& lengths, Eigen::Index i, Eigen::Index j)
 {

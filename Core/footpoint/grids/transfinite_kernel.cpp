@@ -60,8 +60,8 @@ void fill_plain(const Columns& columns, const Row& row, double* output)
 }
 
 #if defined(__SSE2__)
-/// The same numbers, bit for bit, written past the caches: six at a time, as the pattern of the three
-/// axes in pairs repeats after six.
+/// The same numbers, bit for bit, written past the caches: six at a time, as the pattern of the
+/// three axes in pairs repeats after six.
 void fill_streamed(const Columns& columns, const Row& row, double* output)
 {
   std::int64_t k = 3;
@@ -89,8 +89,7 @@ void fill_streamed(const Columns& columns, const Row& row, double* output)
     for (int pair = 0; pair < 3; ++pair)
     {
       const std::int64_t at = k + 2 * pair;
-      const __m128d across =
-        _mm_add_pd(base[pair], _mm_mul_pd(t, _mm_loadu_pd(rise + at)));
+      const __m128d across = _mm_add_pd(base[pair], _mm_mul_pd(t, _mm_loadu_pd(rise + at)));
       const __m128d both =
         _mm_add_pd(across, _mm_mul_pd(_mm_loadu_pd(parameter + at), slope[pair]));
       _mm_stream_pd(output + at, _mm_add_pd(_mm_loadu_pd(bottom + at), both));
@@ -141,8 +140,7 @@ void transfinite_kernel(const std::array<Points, 4>& sides, double* output, Outp
   Columns columns{ 3 * nu, {}, {}, {} };
   columns.bottom = bottom.reshaped();
   columns.rise = (top - bottom).reshaped();
-  columns.parameter =
-    even_spacing(static_cast<int>(nu)).transpose().replicate(3, 1).reshaped();
+  columns.parameter = even_spacing(static_cast<int>(nu)).transpose().replicate(3, 1).reshaped();
   const Eigen::VectorXd v = even_spacing(static_cast<int>(nv));
   const bool streamed =
     memory == OutputMemory::Written && 8 * columns.length * nv >= kStreamedBytes;

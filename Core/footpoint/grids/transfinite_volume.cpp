@@ -200,8 +200,7 @@ void fill_row(const Shell& shell, int j, int k, VolumeGrid& grid)
     }
     return sum;
   };
-  const Vector3 first =
-    shell.face_point(0, { { 0, j, k } }) - origin - blend(0);
+  const Vector3 first = shell.face_point(0, { { 0, j, k } }) - origin - blend(0);
   const Vector3 last =
     shell.face_point(1, { { count[0] - 1, j, k } }) - origin - blend(count[0] - 1);
 
@@ -230,8 +229,8 @@ void copy_border(const Shell& shell, VolumeGrid& grid)
   }
 }
 
-/// Volume enclosed by the faces, positive where u, v, w are right-handed: a third of the flux of the
-/// position through their quads.
+/// Volume enclosed by the faces, positive where u, v, w are right-handed: a third of the flux of
+/// the position through their quads.
 double signed_volume(const Shell& shell, const Vector3& origin)
 {
   const std::array<int, 3>& count = shell.count();
@@ -360,8 +359,7 @@ VolumeFaces faces_from_edges(const std::array<Points, 12>& given, double corner_
     faces[face].points.resize(3, Eigen::Index(count[first]) * count[second]);
     const std::array<Points, 4> sides{ { edges[indices[0]], edges[indices[1]], edges[indices[2]],
       edges[indices[3]] } };
-    transfinite_kernel(
-      joined(sides, indices, scale, kFaceNames[face]), faces[face].points.data());
+    transfinite_kernel(joined(sides, indices, scale, kFaceNames[face]), faces[face].points.data());
   }
   return faces;
 }
