@@ -34,7 +34,7 @@ GridQuality<2> grid_quality(const Grid& grid);
 /// One unit normal a cell, i fastest, that folds do not turn over: on a planar grid the plane's,
 /// oriented by the boundary's sense; in space the mean over the cell and its neighbours, after the
 /// cells' normals were made to agree across their borders along the tree of most parallel
-/// neighbours (H. Hoppe et al., "Surface reconstruction from unorganized points", 1992, 3.3), the
+/// neighbours (H. Hoppe et al., "Surface reconstruction from unorganized points", 1992), the
 /// whole oriented by the boundary's sense. \bug A crease of more than 90° between neighbouring
 /// cells cannot be told from a fold.
 Points reference_normals(const Grid& grid);
