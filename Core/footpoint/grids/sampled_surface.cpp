@@ -102,7 +102,7 @@ void SampledSurface::build(int node)
     const int middle = (range[wide] + range[wide + 1]) / 2;
     for (int half = 0; half < 2; ++half)
     {
-      Node child{ range, {}, {}, 0 };
+      Node child{ range, Vector3::Zero(), Vector3::Zero(), 0 };
       child.range[std::size_t(half == 0 ? wide + 1 : wide)] = middle;
       this->Nodes.push_back(child);
     }
