@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointInversionFilter.h"
 
+#include "AlgorithmExecution.h"
 #include "CachedInverter.h"
 #include "DeviationReport.h"
 #include "PointBlocks.h"
@@ -17,7 +18,6 @@
 #include "vtkParametricFunction.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -47,19 +47,6 @@ static_assert(static_cast<int>(footpoint::Search::Local) == vtkPointInversionFil
 double limit(double value)
 {
   return value >= VTK_DOUBLE_MAX ? std::numeric_limits<double>::infinity() : value;
-}
-
-/// Whether the user wants to stop. Newer VTK has CheckAbort, which also looks upstream and tells
-/// the executive; VTK 9.1 only the flag.
-template <typename Algorithm>
-auto should_abort(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort())
-{
-  return algorithm->CheckAbort();
-}
-template <typename Algorithm>
-bool should_abort(Algorithm* algorithm, long)
-{
-  return algorithm->GetAbortExecute() != 0;
 }
 
 } // namespace
@@ -244,29 +231,18 @@ footpoint::InversionResult vtkPointInversionFilter::Internals::Invert(
 {
   const footpoint::PointInverter& inverter = this->Inverter.inverter();
   const double total = std::max(static_cast<double>(points.queries.cols()), 1.0);
-  double done = 0.0;
-  double share = 1.0;
-  footpoint::Execution execution;
-  execution.parallel_for = [](std::int64_t count, const auto& body)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-      [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
-  };
-  execution.proceed = [&](double fraction)
-  {
-    self->UpdateProgress(done + share * fraction);
-    return !should_abort(self, 0);
-  };
   if (!self->WarmStart)
   {
-    return footpoint::invert(inverter, points.queries, points.starts, execution);
+    return footpoint::invert(inverter, points.queries, points.starts, make_execution(self));
   }
+  double done = 0.0;
   footpoint::InversionResult result;
   for (const Block& block : points.blocks)
   {
-    share = static_cast<double>(block.count) / total;
+    const double share = static_cast<double>(block.count) / total;
     const footpoint::Points part = points.queries.middleCols(block.first, block.count);
-    const footpoint::InversionResult feet = footpoint::invert_sequence(inverter, part, execution);
+    const footpoint::InversionResult feet =
+      footpoint::invert_sequence(inverter, part, make_execution(self, done, share));
     result.feet.insert(result.feet.end(), feet.feet.begin(), feet.feet.end());
     done += share;
     result.cancelled = feet.cancelled;

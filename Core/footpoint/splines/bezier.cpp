@@ -12,23 +12,14 @@ namespace
 
 using Homogeneous = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// A piece of one direction: which control points act on it and how.
-struct Extraction
-{
-  double lower;
-  double upper;
-  int first;              ///< the first of the degree + 1 control points that act on the piece
-  Eigen::MatrixXd matrix; ///< Bézier point j = Σ_i control point (first + i) · matrix(i, j)
-};
-
 /// Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b
 /// (L. Ramshaw 1989). All its coefficients are sums of positive products; at high degree nothing
 /// cancels.
-Extraction extract(const KnotVector& knots, double a, double b)
+BezierSpan extract_span(const KnotVector& knots, double a, double b)
 {
   const int p = knots.degree();
   const int span = knots.find_span(a, Side::Right);
-  Extraction piece{ a, b, span - p, Eigen::MatrixXd(p + 1, p + 1) };
+  BezierSpan piece{ a, b, span - p, Eigen::MatrixXd(p + 1, p + 1) };
   for (int j = 0; j <= p; ++j)
   {
     double* column = piece.matrix.col(j).data();
@@ -41,25 +32,25 @@ Extraction extract(const KnotVector& knots, double a, double b)
   return piece;
 }
 
-std::vector<Extraction> extract_all(const KnotVector& knots)
+} // namespace
+
+std::vector<BezierSpan> bezier_spans(const KnotVector& knots)
 {
-  std::vector<Extraction> pieces;
+  std::vector<BezierSpan> pieces;
   const std::vector<DistinctKnot>& distinct = knots.distinct_knots();
   for (std::size_t i = 0; i + 1 < distinct.size(); ++i)
   {
-    pieces.push_back(extract(knots, distinct[i].at, distinct[i + 1].at));
+    pieces.push_back(extract_span(knots, distinct[i].at, distinct[i + 1].at));
   }
   return pieces;
 }
-
-} // namespace
 
 std::vector<BezierPiece<1>> extract_bezier(const Curve& curve)
 {
   const Homogeneous net = homogeneous(curve.local_control_points(), curve.weights());
   const int p = curve.knots().degree();
   std::vector<BezierPiece<1>> pieces;
-  for (const Extraction& u : extract_all(curve.knots()))
+  for (const BezierSpan& u : bezier_spans(curve.knots()))
   {
     pieces.push_back({ { { p } }, Parameter<1>(u.lower), Parameter<1>(u.upper),
       net.middleCols(u.first, p + 1) * u.matrix });
@@ -73,12 +64,12 @@ std::vector<BezierPiece<2>> extract_bezier(const Surface& surface)
   const int nu = surface.knots(0).number_of_control_points();
   const int p = surface.knots(0).degree();
   const int q = surface.knots(1).degree();
-  const std::vector<Extraction> all_u = extract_all(surface.knots(0));
+  const std::vector<BezierSpan> all_u = bezier_spans(surface.knots(0));
   std::vector<BezierPiece<2>> pieces;
   Homogeneous rows(4, (p + 1) * (q + 1)); // the acting part of the net, Bézier along u
-  for (const Extraction& v : extract_all(surface.knots(1)))
+  for (const BezierSpan& v : bezier_spans(surface.knots(1)))
   {
-    for (const Extraction& u : all_u)
+    for (const BezierSpan& u : all_u)
     {
       for (int j = 0; j <= q; ++j)
       {

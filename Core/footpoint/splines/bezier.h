@@ -22,6 +22,18 @@ struct BezierPiece
   Eigen::Matrix<double, 4, Eigen::Dynamic> control;
 };
 
+/// One span of a knot vector and how its control points make the Bézier points of that span.
+struct BezierSpan
+{
+  double lower; ///< local parameters
+  double upper;
+  int first;              ///< the first of the degree + 1 control points that act on the span
+  Eigen::MatrixXd matrix; ///< Bézier point j = Σ_i control point (first + i) · matrix(i, j)
+};
+
+/// The extraction operators of all spans (M. J. Borden et al. 2011), ascending.
+std::vector<BezierSpan> bezier_spans(const KnotVector& knots);
+
 /// The pieces between all knot lines, first direction fastest. Exact up to rounding: each
 /// control point is the blossom of its piece (L. Ramshaw 1989; the result of inserting all knots to
 /// full multiplicity, W. Boehm 1980), so unclamped ends and gaps need no special care.

@@ -10,11 +10,18 @@ In NumPy terms
     trimmed_face, model          geometry from parts: surface and trim loops, several faces
     invert                       points -> feet, parameters, distances, statistics
     evaluate                     parameters -> points, the inverse
+    coons_patch                  four boundary polylines -> structured grid
+    coons_surface                four NURBS curves -> the Coons surface as a NURBS surface
+    gordon_surface               network of NURBS curves -> NURBS surface through it
+    transfinite_volume           six faces or twelve edges -> structured grid of a volume
+    smooth_grid                  structured grid -> the same without folds
     Status, FootType             names of the numbers that `invert` returns
 
 In a VTK pipeline
 -----------------
-    vtkPointInversionFilter, vtkSplineEvaluator   the classes behind those functions
+    vtkPointInversionFilter, vtkSplineEvaluator, vtkCoonsPatchSource, vtkCoonsSurface,
+    vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
+        the classes behind those functions
 
 Example
 -------
@@ -37,4 +44,11 @@ from .vtkFootpointFilters import *
 from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
 from .inversion import Feet, FootType, InversionResult, Status, invert
 from .evaluation import evaluate
+from .grids import (
+    coons_patch,
+    coons_surface,
+    gordon_surface,
+    smooth_grid,
+    transfinite_volume,
+)
 from ._version import __version__

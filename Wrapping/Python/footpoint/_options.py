@@ -76,7 +76,8 @@ def _converted(option, value, present):
                 return bool(value)
             raise TypeError
         if isinstance(present, tuple):
-            numbers = tuple(float(v) for v in value)
+            number = operator.index if isinstance(present[0], int) else float
+            numbers = tuple(number(v) for v in value)
             if len(numbers) != len(present):
                 raise ValueError(
                     f"{option} has {len(numbers)} values; {len(present)} are needed"

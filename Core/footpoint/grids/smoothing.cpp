@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/grids/smoothing.h"
+
+#include "footpoint/grids/grid_quality.h"
+#include "footpoint/grids/laplacian_smoothing.h"
+#include "footpoint/grids/untangling.h"
+#include "footpoint/grids/winslow_smoothing.h"
+
+namespace footpoint
+{
+namespace
+{
+
+SmoothingResult unchanged(const Grid& grid, std::int64_t folds)
+{
+  SmoothingResult result;
+  result.grid = grid;
+  result.folds_before = folds;
+  result.folds_after = folds;
+  return result;
+}
+
+} // namespace
+
+SmoothingResult smooth(
+  const Grid& grid, const SmoothingOptions& options, const Execution& execution)
+{
+  const std::int64_t folds = grid_quality(grid).folded_count;
+  const bool automatic = options.method == Smoothing::Auto;
+  if (options.method == Smoothing::None || (automatic && folds == 0) || !grid.points.allFinite())
+  {
+    SmoothingResult result = unchanged(grid, folds);
+    result.converged = grid.points.allFinite();
+    return result;
+  }
+  SmoothingResult result = options.method == Smoothing::Laplacian
+    ? laplacian_smoothing(grid, options, execution)
+    : winslow_smoothing(grid, options, execution);
+  result.folds_before = folds;
+  result.folds_after = grid_quality(result.grid).folded_count;
+  if (automatic && !result.cancelled && result.folds_after > 0)
+  {
+    // Where sides turn within a cell, differences do not see it, and the solution may fold there.
+    result.grid = untangled(result.grid);
+    result.folds_after = grid_quality(result.grid).folded_count;
+  }
+  if (result.cancelled || (automatic && result.folds_after >= folds))
+  {
+    result.grid = grid;
+    result.folds_after = folds;
+  }
+  result.changed = result.grid.points != grid.points;
+  return result;
+}
+
+} // namespace footpoint

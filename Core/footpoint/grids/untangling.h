@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/grids/structured_points.h"
+
+namespace footpoint
+{
+
+/// Frees single folded cells: moves the inner points about them, each to where the least Jacobian
+/// of the cells about it is largest (max–min by local search, after L. Freitag and P. Plassmann,
+/// "Local optimization-based simplicial mesh untangling and improvement", 2000), in space on the
+/// surface that the grid samples. The rest of the grid and the sides stay bit for bit. \return the
+/// grid with the fewest folds that was met; never more than before
+Grid untangled(const Grid& grid);
+
+} // namespace footpoint
