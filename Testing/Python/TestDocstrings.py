@@ -70,10 +70,6 @@ class Docstrings(unittest.TestCase):
             method = getattr(footpoint.vtkPointInversionFilter, "Get" + name)
             self.assertTrue(method.__doc__, name)
 
-    def test_nothing_of_later_versions(self):
-        for name in ("coons_patch", "read_cad"):
-            self.assertFalse(hasattr(footpoint, name), name)
-
 
 if __name__ == "__main__":
     unittest.main()
