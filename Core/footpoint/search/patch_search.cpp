@@ -141,8 +141,8 @@ private:
     };
   }
 
-  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit also gets
-  /// the diagonal of what the start stands for, infinity where that is not known.
+  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit
+  /// also gets the diagonal of what the start stands for, infinity where that is not known.
   void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
     const std::function<void(const Parameter<N>&, double)>& visit) const
   {
@@ -317,7 +317,10 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
   scaled = scale.asDiagonal() * scaled * scale.asDiagonal();
   for (int i = 0; i < N; ++i)
   {
-    if (!free(i) || scale(i) == 0.0)
+    // What a border holds only by rounding may go on, inside or beyond it.
+    const bool held =
+      !free(i) && std::abs(frame.gradient(i)) * scale(i) > conditions.floor(frame, i);
+    if (held || scale(i) == 0.0)
     {
       scaled.row(i).setZero();
       scaled.col(i).setZero();

@@ -23,9 +23,9 @@ constexpr double kSufficientDecrease = 1e-4;
 /// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
 constexpr int kBacktracks = 12;
 
-/// A method that has not brought the residual down to a hundredth in so many iterations hands over to
-/// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
-/// centre of curvature.
+/// A method that has not brought the residual down to a hundredth in so many iterations hands over
+/// to Newton's steps for as many: without curvature convergence is linear, as slow as the query is
+/// near a centre of curvature.
 constexpr int kPatience = 10;
 
 /// Scaled eigenvalues of the Hessian below this leave a direction in which the second derivative
@@ -171,8 +171,7 @@ private:
     {
       return this->finish(Termination::ZeroCosine);
     }
-    return this->finish(
-      this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
+    return this->finish(this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
   }
 
   /// A lower point reached by the method's step or, where that is rejected, by its fall-backs.
@@ -212,8 +211,8 @@ private:
 
   Candidate newton_step(const StepSettings<N>& settings)
   {
-    return this->shortened(this->limited(
-      solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
+    return this->shortened(
+      this->limited(solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
   }
 
   /// −scale² g: steepest descent in scaled parameters.
@@ -281,7 +280,8 @@ private:
     return frame;
   }
 
-  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their floor.
+  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their
+  /// floor.
   bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const
   {
     const double promised = std::max(0.0, -this->Current.gradient.dot(moved));
@@ -401,7 +401,8 @@ private:
       // The other side of a gap is another point, and a minimum of its own.
       const bool continues =
         (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
-      if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate && this->descends(frame))
+      if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate &&
+        this->descends(frame))
       {
         rate = residual;
         steepest = frame;
@@ -422,7 +423,8 @@ private:
     return next && this->lower(*next);
   }
 
-  /// At a pole the parameter along the collapsed side is free: the column in which descent is steepest.
+  /// At a pole the parameter along the collapsed side is free: the column in which descent is
+  /// steepest.
   Candidate turn_at_pole()
   {
     if constexpr (N == 2)
@@ -716,7 +718,8 @@ private:
   int PoleRestarts = 0;
   double Lambda = 0.0;
   double LastStep = 0.0;
-  double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
+  double Checkpoint =
+    std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
   bool Slow = false;
   double Radius = 0.0; ///< of the trust region, in model units
 };
