@@ -92,10 +92,12 @@ TEST(HardCaseS9, SpeedsThatDifferInSpace)
   shapes::Random random(92);
   for (int k = 0; k < 20; ++k)
   {
-    const Vector3 query(random.uniform(-0.5, 0.5), random.uniform(-1e-8, 1e-8), random.uniform(-1, 1));
+    const Vector3 query(
+      random.uniform(-0.5, 0.5), random.uniform(-1e-8, 1e-8), random.uniform(-1, 1));
     const Foot foot = inverter.find(query);
     EXPECT_EQ(foot.status, Status::Converged);
-    EXPECT_NEAR(foot.distance, nearest(query.cast<oracle::Real>()).distance, 1e-12 * inverter.size());
+    EXPECT_NEAR(
+      foot.distance, nearest(query.cast<oracle::Real>()).distance, 1e-12 * inverter.size());
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Random geometry and random queries against the judge's brute force. FOOTPOINT_FUZZ_QUERIES sets how
-// many queries, FOOTPOINT_FUZZ_SEED another start; a failure names the seed of its geometry.
+// Random geometry and random queries against the judge's brute force. FOOTPOINT_FUZZ_QUERIES sets
+// how many queries, FOOTPOINT_FUZZ_SEED another start; a failure names the seed of its geometry.
 
 #include "Inversion.h"
 
@@ -142,7 +142,8 @@ Vector3 random_query(
     "centre of curvature", "a little off", "very far" };
   const int choice = random.integer(0, static_cast<int>(kinds.size()) - 1);
   kind = kinds[choice];
-  const Parameter<N> t = random_parameter<N>(random, geometry, choice == 1 || random.integer(0, 3) == 0);
+  const Parameter<N> t =
+    random_parameter<N>(random, geometry, choice == 1 || random.integer(0, 3) == 0);
   const Vector3 point = geometry.centre() + geometry.point(t);
   const double size = geometry.size();
   const auto [normal, radius] = across<N>(random, geometry, t);
@@ -199,19 +200,23 @@ void fuzz_geometry(std::uint64_t seed, Tally& tally)
   {
     std::string kind;
     const Vector3 query = random_query<N>(random, geometry, kind);
-    const oracle::Vector local = query.cast<oracle::Real>() - geometry.centre().template cast<oracle::Real>();
+    const oracle::Vector local =
+      query.cast<oracle::Real>() - geometry.centre().template cast<oracle::Real>();
     const Foot foot = inverter.find(query);
     const double judge = static_cast<double>(nearest(local).distance);
     ++tally.queries;
     tally.not_converged += foot.status == Status::NotConverged;
-    SCOPED_TRACE(::testing::Message() << N << "-D, seed " << seed << ", query " << k << " (" << kind << ")");
+    SCOPED_TRACE(
+      ::testing::Message() << N << "-D, seed " << seed << ", query " << k << " (" << kind << ")");
     EXPECT_TRUE(foot.status == Status::Converged || foot.status == Status::NotConverged);
     // Distances that differ by sixteen roundings tie.
     const double allowed = 1e-12 * size + 4e-15 * judge;
     tally.excess = std::max(tally.excess, (foot.distance - judge) / allowed);
     tally.too_far += foot.distance > judge + allowed;
-    EXPECT_LE(foot.distance, judge + allowed) << "by " << foot.distance - judge << ", size " << size;
-    // Shorter than the judge's is right if the point is where we say; parameters far from 0 are rounded.
+    EXPECT_LE(foot.distance, judge + allowed)
+      << "by " << foot.distance - judge << ", size " << size;
+    // Shorter than the judge's is right if the point is where we say; parameters far from 0 are
+    // rounded.
     double rounding = 0.0;
     for (int i = 0; i < N; ++i)
     {
@@ -227,7 +232,8 @@ void fuzz_geometry(std::uint64_t seed, Tally& tally)
     EXPECT_NEAR((foot.point - query).norm(), foot.distance, allowed + 1e-15 * query.norm());
     if (foot.status == Status::NotConverged)
     {
-      std::cout << "not converged: " << N << "-D, seed " << seed << ", query " << k << " (" << kind << ")\n";
+      std::cout << "not converged: " << N << "-D, seed " << seed << ", query " << k << " (" << kind
+                << ")\n";
     }
   }
 }

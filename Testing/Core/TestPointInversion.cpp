@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What PointInverter offers beyond the nearest foot of one point: all feet, directions, faces, patches,
-// batches, sequences, starts and searches.
+// What PointInverter offers beyond the nearest foot of one point: all feet, directions, faces,
+// patches, batches, sequences, starts and searches.
 
 #include "Inversion.h"
 
@@ -32,7 +32,8 @@ footpoint::Curve ellipse(double a, double b)
 Surface plate(double x0, double x1, double height = 0.0, double slope = 0.0)
 {
   const double rise = slope * (x1 - x0);
-  return Surface(KnotVector(1, { x0, x0, x1, x1 }, "KnotsU"), KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"),
+  return Surface(KnotVector(1, { x0, x0, x1, x1 }, "KnotsU"),
+    KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"),
     shapes::points({ { x0, 0, height }, { x1, 0, height + rise }, { x0, 1, height },
       { x1, 1, height + rise } }));
 }
@@ -76,7 +77,8 @@ bool identical(const Foot& a, const Foot& b)
 
 TEST(AllFeet, MinimaOfAnEllipse)
 {
-  // Inside the evolute (2x)^(2/3) + y^(2/3) = 3^(2/3) of x²/4 + y² = 1 there are two minima, outside one.
+  // Inside the evolute (2x)^(2/3) + y^(2/3) = 3^(2/3) of x²/4 + y² = 1 there are two minima,
+  // outside one.
   const PointInverter inverter(model_of(ellipse(2.0, 1.0)), all_feet());
   expect_all(inverter, { 0, 0, 0 },
     { { 1.0, { 90, 0 }, FootType::Interior, true, { 0, 1, 0 } },
@@ -85,7 +87,8 @@ TEST(AllFeet, MinimaOfAnEllipse)
   for (int k = 0; k < 200; ++k)
   {
     const Vector3 query(random.uniform(-3, 3), random.uniform(-4, 4), 0.0);
-    const double evolute = std::cbrt(4.0 * query.x() * query.x()) + std::cbrt(query.y() * query.y());
+    const double evolute =
+      std::cbrt(4.0 * query.x() * query.x()) + std::cbrt(query.y() * query.y());
     if (std::abs(evolute - std::cbrt(9.0)) > 1e-3)
     {
       const std::size_t minima = evolute < std::cbrt(9.0) ? 2 : 1;
@@ -124,10 +127,12 @@ TEST(AllFeet, OneMinimumOfATorus)
 
 TEST(AllFeet, AContinuumCountsOnce)
 {
-  const std::vector<Foot> circle = PointInverter(model_of(shapes::circle()), all_feet()).find_all({ 0, 0, 1 });
+  const std::vector<Foot> circle =
+    PointInverter(model_of(shapes::circle()), all_feet()).find_all({ 0, 0, 1 });
   ASSERT_EQ(circle.size(), 1u);
   EXPECT_FALSE(circle[0].isolated);
-  const std::vector<Foot> torus = PointInverter(model_of(shapes::torus()), all_feet()).find_all({ 0, 0, 0 });
+  const std::vector<Foot> torus =
+    PointInverter(model_of(shapes::torus()), all_feet()).find_all({ 0, 0, 0 });
   ASSERT_EQ(torus.size(), 1u);
   EXPECT_FALSE(torus[0].isolated);
 }
@@ -185,7 +190,8 @@ TEST(FixedDirection, AMissIsBeyondEverything)
 
 TEST(FixedDirection, FacesAndFoldsAllCount)
 {
-  const PointInverter plates(model_of(plate(0, 1, 1.0), plate(0, 1, -2.0), plate(5, 6, 0.5)), along({ 0, 0, -1 }));
+  const PointInverter plates(
+    model_of(plate(0, 1, 1.0), plate(0, 1, -2.0), plate(5, 6, 0.5)), along({ 0, 0, -1 }));
   const std::vector<Foot> feet = plates.find_all({ 0.25, 0.5, 0 });
   ASSERT_EQ(feet.size(), 2u);
   EXPECT_EQ(feet[0].face, 0);
@@ -252,8 +258,8 @@ TEST(Faces, CurvesAndSurfacesMix)
 TEST(Patches, SharedBordersAreInterior)
 {
   // Two coplanar cells and a third that rises behind them.
-  Model model{ Face{ "", { patch_of(plate(0, 1)), patch_of(plate(1, 2)), patch_of(plate(2, 3, 0, 1.0)) },
-    false } };
+  Model model{ Face{
+    "", { patch_of(plate(0, 1)), patch_of(plate(1, 2)), patch_of(plate(2, 3, 0, 1.0)) }, false } };
   const PointInverter inverter(model);
   const Foot smooth = inverter.find({ 1, 0.5, 0.5 });
   EXPECT_EQ(smooth.type, FootType::Interior);
@@ -263,7 +269,10 @@ TEST(Patches, SharedBordersAreInterior)
   const Foot kink = inverter.find({ 2.1, 0.5, -1 });
   EXPECT_EQ(kink.type, FootType::Kink);
   EXPECT_LE((kink.point - Vector3(2, 0.5, 0)).norm(), 1e-12);
-  EXPECT_LE((kink.direction - Vector3(-std::sin(std::acos(-1.0) / 8), 0, std::cos(std::acos(-1.0) / 8))).norm(), 1e-12);
+  EXPECT_LE(
+    (kink.direction - Vector3(-std::sin(std::acos(-1.0) / 8), 0, std::cos(std::acos(-1.0) / 8)))
+      .norm(),
+    1e-12);
   EXPECT_LT(kink.signed_distance, 0.0);
   // The outer border stays an edge, also where it meets the shared one.
   EXPECT_EQ(inverter.find({ 0.5, -1, 0 }).type, FootType::Edge);
@@ -290,7 +299,8 @@ TEST(Batch, SameBitsForAnySplitAndOrder)
   const Points points = random_points(500, 6, -0.5, 1.5);
   const InversionResult whole = footpoint::invert(inverter, points);
   Execution pieces;
-  pieces.parallel_for = [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
+  pieces.parallel_for =
+    [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
   {
     // Backwards, in ranges of seven.
     for (std::int64_t end = count; end > 0; end -= std::min<std::int64_t>(end, 7))
@@ -326,8 +336,9 @@ TEST(Batch, ProgressAndCancel)
   execution.proceed = [](double) { return false; };
   for (const bool sequence : { false, true })
   {
-    const InversionResult result = sequence ? footpoint::invert_sequence(inverter, points, execution)
-                                            : footpoint::invert(inverter, points, {}, execution);
+    const InversionResult result = sequence
+      ? footpoint::invert_sequence(inverter, points, execution)
+      : footpoint::invert(inverter, points, {}, execution);
     EXPECT_TRUE(result.cancelled);
     ASSERT_EQ(result.feet.size(), 10000u);
     EXPECT_EQ(result.feet.front().status, Status::Converged);
@@ -376,8 +387,8 @@ TEST(Searches, StartsThatAreNotAnumberOrOutside)
   }
   // Open domains are clamped.
   const PointInverter open(model_of(shapes::saddle()), searching(Search::Local));
-  expect_foot(open, open.find({ 0, 0, 0.5 }, { 0, { 1e9, -1e9 } }), { 0.5, { 0, 0 } },
-    "clamped start");
+  expect_foot(
+    open, open.find({ 0, 0, 0.5 }, { 0, { 1e9, -1e9 } }), { 0.5, { 0, 0 } }, "clamped start");
 }
 
 TEST(Searches, SeededFindsWhatGlobalFindsOnGentleShapes)
@@ -420,7 +431,8 @@ TEST(OnTheGeometry, ResidualsAndParameters)
       EXPECT_EQ(foot.status, Status::Converged) << name;
       for (int i = 0; i < kDirections; ++i)
       {
-        EXPECT_NEAR(foot.parameter(i), geometry.direction(i).origin + t(i), 1e-10 * geometry.direction(i).length)
+        EXPECT_NEAR(foot.parameter(i), geometry.direction(i).origin + t(i),
+          1e-10 * geometry.direction(i).length)
           << name << ", direction " << i;
       }
     }

@@ -43,12 +43,15 @@ std::vector<BezierPiece<N>> halve_all(std::vector<BezierPiece<N>> pieces)
   return pieces;
 }
 
-/// A cell is simple where the legs of its control net point the same way within about 40°: the surface
-/// then bends little over the cell, and one descent finds what there is to be found. Legs shorter than
-/// a part of the cell do not count, nor do cells smaller than a part of the whole.
-constexpr double kSimpleCosine = 0.75;
+/// A cell is simple where the legs of its control net point the same way within about 37°: the
+/// surface then bends little over the cell, and one descent finds what there is to be found. Legs
+/// shorter than a part of the cell do not count, nor do cells smaller than a part of the whole.
+/// Where steep weights put much of the surface into few parameters, cells are cut until they are no
+/// large part of it.
+constexpr double kSimpleCosine = 0.8;
 constexpr double kShortLeg = 1e-2;
 constexpr double kSmallCell = 1e-3;
+constexpr double kLargeCell = 0.1;
 
 /// Cells that refinement may make of one.
 constexpr std::size_t kRefinement = 8;
@@ -60,34 +63,47 @@ double diagonal(const BezierPiece<N>& piece)
   return (corners[1] - corners[0]).norm();
 }
 
-/// Smallest cosine between a leg of the control net along direction i and their sum.
+/// How a piece runs along direction i: the smallest cosine between a leg of the control net and
+/// their sum, and the mean length of its rows.
+struct Run
+{
+  double straightness = 1.0;
+  double length = 0.0;
+};
+
 template <int N>
-double straightness(const BezierPiece<N>& piece, int i, double cell)
+Run run_along(const BezierPiece<N>& piece, int i, double cell)
 {
   const Eigen::Index stride = i == 0 ? 1 : piece.degree[0] + 1;
+  const int other = piece.degree[N - 1 - i];
   std::vector<Vector3> legs;
   Vector3 sum = Vector3::Zero();
+  double length = 0.0;
   for (Eigen::Index k = 0; k < piece.control.cols(); ++k)
   {
     if ((k / stride) % (piece.degree[i] + 1) < piece.degree[i])
     {
-      const Vector3 leg = piece.control.col(k + stride).hnormalized() - piece.control.col(k).hnormalized();
+      const Vector3 leg =
+        piece.control.col(k + stride).hnormalized() - piece.control.col(k).hnormalized();
       sum += leg;
+      length += leg.norm();
       if (leg.norm() > kShortLeg * cell)
       {
         legs.push_back(leg.normalized());
       }
     }
   }
-  double result = 1.0;
+  Run run;
+  run.length = N == 1 ? length : length / (other + 1);
   for (const Vector3& leg : legs)
   {
-    result = std::min(result, leg.dot(sum.stableNormalized()));
+    run.straightness = std::min(run.straightness, leg.dot(sum.stableNormalized()));
   }
-  return result;
+  return run;
 }
 
-/// Halves what is not simple, in the direction that bends more, until all is or the limit is reached.
+/// Halves what is not simple, in the direction that bends more, until all is or the limit is
+/// reached.
 template <int N>
 std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces, double size)
 {
@@ -99,17 +115,20 @@ std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces, double si
     for (BezierPiece<N>& piece : pieces)
     {
       const double cell = diagonal<N>(piece);
-      std::array<double, 2> straight{ { 1.0, 1.0 } };
+      std::array<Run, 2> runs;
       for (int i = 0; i < N; ++i)
       {
-        straight[i] = straightness<N>(piece, i, cell);
+        runs[i] = run_along<N>(piece, i, cell);
       }
-      if (cell <= kSmallCell * size || std::min(straight[0], straight[1]) >= kSimpleCosine)
+      const bool straight = std::min(runs[0].straightness, runs[1].straightness) >= kSimpleCosine;
+      if (cell <= kSmallCell * size || (straight && cell <= kLargeCell * size))
       {
         simple.push_back(std::move(piece));
         continue;
       }
-      for (BezierPiece<N>& half : halve<N>(piece, straight[0] <= straight[1] ? 0 : 1))
+      const bool second =
+        straight ? runs[1].length > runs[0].length : runs[1].straightness < runs[0].straightness;
+      for (BezierPiece<N>& half : halve<N>(piece, second ? 1 : 0))
       {
         halves.push_back(std::move(half));
       }
@@ -137,14 +156,17 @@ struct Cell
 {
   Parameter<N> start;
   Box box;
+  double reach; ///< diagonal of the piece
 };
 
-/// The box of the control points of a piece, or of those on its borders: border(i) is −1 on the lower one,
-/// 1 on the upper one, 0 on none.
+/// The box of the control points of a piece, or of those on its borders: border(i) is −1 on the
+/// lower one, 1 on the upper one, 0 on none.
 template <int N>
-Cell<N> make_cell(const BezierPiece<N>& piece, const Eigen::Matrix<int, N, 1>& border, double margin)
+Cell<N> make_cell(
+  const BezierPiece<N>& piece, const Eigen::Matrix<int, N, 1>& border, double margin)
 {
-  /// A start on a border is moved inside by this part of the piece: there the sides of a gap differ.
+  /// A start on a border is moved inside by this part of the piece: there the sides of a gap
+  /// differ.
   constexpr double kInside = 1e-3;
   Cell<N> cell;
   for (int i = 0; i < N; ++i)
@@ -168,6 +190,7 @@ Cell<N> make_cell(const BezierPiece<N>& piece, const Eigen::Matrix<int, N, 1>& b
       cell.box.add({ point, point });
     }
   }
+  cell.reach = diagonal<N>(piece);
   cell.box.lower.array() -= margin;
   cell.box.upper.array() += margin;
   return cell;
@@ -176,7 +199,8 @@ Cell<N> make_cell(const BezierPiece<N>& piece, const Eigen::Matrix<int, N, 1>& b
 /// The cell of a piece, and those of its sides and corners that bound the geometry: minima on the
 /// boundary are not always downhill from inside.
 template <int N>
-void append_cells(const BezierPiece<N>& piece, const ParametricGeometry<N>& geometry, std::vector<Cell<N>>& cells)
+void append_cells(
+  const BezierPiece<N>& piece, const ParametricGeometry<N>& geometry, std::vector<Cell<N>>& cells)
 {
   // Rounding of the extraction: the boxes have to hold the surface as it is evaluated.
   const double margin = 1e-13 * geometry.size();
@@ -223,7 +247,7 @@ CellTree<N>::CellTree(const ParametricGeometry<N>& geometry, int minimum_cells)
   for (const Cell<N>& cell : cells)
   {
     boxes.push_back(cell.box);
-    this->Cells.push_back(cell.start);
+    this->Cells.push_back({ cell.start, cell.reach });
   }
   std::vector<std::int32_t> order(cells.size());
   std::iota(order.begin(), order.end(), 0);
@@ -232,8 +256,8 @@ CellTree<N>::CellTree(const ParametricGeometry<N>& geometry, int minimum_cells)
 }
 
 template <int N>
-std::int32_t CellTree<N>::build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end,
-  const std::vector<Box>& boxes)
+std::int32_t CellTree<N>::build(std::vector<std::int32_t>& order, std::size_t begin,
+  std::size_t end, const std::vector<Box>& boxes)
 {
   const auto index = static_cast<std::int32_t>(this->Nodes.size());
   this->Nodes.emplace_back();

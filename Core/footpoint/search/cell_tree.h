@@ -32,16 +32,17 @@ struct Box
   }
 };
 
-/// The Bézier pieces of a curve or surface, split further where there are few of them or they bend, and
-/// those sides and corners of theirs that bound the geometry, in a hierarchy of the boxes of their
-/// control points: no point of a cell lies outside its box.
+/// The Bézier pieces of a curve or surface, split further where there are few of them or they bend,
+/// and those sides and corners of theirs that bound the geometry, in a hierarchy of the boxes of
+/// their control points: no point of a cell lies outside its box.
 ///
 /// Built once; const and thread-safe.
 template <int N>
 class CellTree
 {
 public:
-  /// \param minimum_cells pieces are halved until there are about as many; the finer, the closer the
+  /// \param minimum_cells pieces are halved until there are about as many; the finer, the closer
+  /// the
   ///                      boxes and the fewer descents a query takes
   /// Geometry that is no spline has no boxes: the tree is then empty.
   CellTree(const ParametricGeometry<N>& geometry, int minimum_cells);
@@ -50,10 +51,10 @@ public:
   /// The box of the whole. \pre not empty
   const Box& box() const { return this->Nodes.front().box; }
 
-  /// Calls visit(start, reach) for the cells whose bound does not exceed limit(), near ones first: where
-  /// to start from in local parameters, and the diagonal of the cell's box. Either callable may
-  /// change what the other will say.
-  /// \param bound double(const Box&): what is sought in the box is no nearer than that
+  /// Calls visit(start, reach) for the cells whose bound does not exceed limit(), near ones first:
+  /// where to start from in local parameters, and how far the piece reaches that the cell belongs
+  /// to. Either callable may change what the other will say. \param bound double(const Box&): what
+  /// is sought in the box is no nearer than that
   template <typename Bound, typename Limit, typename Visit>
   void traverse(const Bound& bound, const Limit& limit, const Visit& visit) const
   {
@@ -75,7 +76,7 @@ public:
       const Node& node = this->Nodes[index];
       if (node.cell >= 0)
       {
-        visit(this->Cells[node.cell], (node.box.upper - node.box.lower).norm());
+        visit(this->Cells[node.cell].at, this->Cells[node.cell].reach);
         continue;
       }
       std::pair<double, std::int32_t> near = { bound(this->Nodes[node.first].box), node.first };
@@ -101,8 +102,14 @@ private:
   std::int32_t build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end,
     const std::vector<Box>& boxes);
 
-  std::vector<Parameter<N>> Cells; ///< where to start from in each
-  std::vector<Node> Nodes;         ///< the first is the root
+  struct Start
+  {
+    Parameter<N> at;
+    double reach; ///< diagonal of the piece's box
+  };
+
+  std::vector<Start> Cells;
+  std::vector<Node> Nodes; ///< the first is the root
 };
 
 } // namespace footpoint

@@ -141,8 +141,8 @@ private:
     };
   }
 
-  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit also gets
-  /// the diagonal of what the start stands for, infinity where that is not known.
+  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit
+  /// also gets the diagonal of what the start stands for, infinity where that is not known.
   void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
     const std::function<void(const Parameter<N>&, double)>& visit) const
   {
@@ -304,7 +304,7 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
   const Parameter<N> t = foot.local.head<N>();
   const Frame<N> frame = make_frame<N>(this->Geometry, query, t, foot.sides.head<N>());
   const FootConditions<N> conditions(this->Geometry, this->Solver);
-  Eigen::Matrix<bool, N, 1> free = conditions.free(frame);
+  const Eigen::Matrix<bool, N, 1> free = conditions.free(frame);
   typename Frame<N>::Matrix scaled = frame.hessian();
   Parameter<N> scale = Parameter<N>::Zero();
   for (int i = 0; i < N; ++i)
@@ -313,14 +313,14 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
     {
       scale(i) = 1.0 / frame.speed(i);
     }
-    // On a border a gradient that is rounding holds nothing.
-    const double rounding = conditions.floor(frame, i) * frame.speed(i);
-    free(i) = free(i) || std::abs(frame.gradient(i)) <= rounding;
   }
   scaled = scale.asDiagonal() * scaled * scale.asDiagonal();
   for (int i = 0; i < N; ++i)
   {
-    if (!free(i) || scale(i) == 0.0)
+    // What a border holds only by rounding may go on, inside or beyond it.
+    const bool held =
+      !free(i) && std::abs(frame.gradient(i)) * scale(i) > conditions.floor(frame, i);
+    if (held || scale(i) == 0.0)
     {
       scaled.row(i).setZero();
       scaled.col(i).setZero();

@@ -21,9 +21,9 @@ enum class Search
 /// What is sought on a patch.
 enum class Sought
 {
-  Minimum,      ///< minima of the distance, found by descent
-  Orthogonal,   ///< feet where r is orthogonal to the geometry
-  Intersection  ///< where a line through the point meets the geometry
+  Minimum,     ///< minima of the distance, found by descent
+  Orthogonal,  ///< feet where r is orthogonal to the geometry
+  Intersection ///< where a line through the point meets the geometry
 };
 
 /// A question to a patch, in model coordinates.
@@ -32,8 +32,8 @@ struct PatchQuery
   Vector3 point;
   Sought sought = Sought::Minimum;
   Search search = Search::Global;
-  Vector3 line = Vector3::Zero();                        ///< unit vector, for Intersection
-  Parameter<2> start = Parameter<2>::Constant(NAN);      ///< in the geometry's domain; NaN: automatic
+  Vector3 line = Vector3::Zero();                   ///< unit vector, for Intersection
+  Parameter<2> start = Parameter<2>::Constant(NAN); ///< in the geometry's domain; NaN: automatic
 };
 
 /// A foot on one patch; curves have v = 0.
@@ -42,9 +42,9 @@ struct PatchFoot
   Parameter<2> local = Parameter<2>::Zero(); ///< local parameters
   Sides<2> sides = Sides<2>::Constant(Side::Right);
   Parameter<2> parameter = Parameter<2>::Zero(); ///< the geometry's own domain
-  Vector3 offset;                                ///< foot − P, without the rounding of far origins
-  Vector3 point;                                 ///< model coordinates
-  double distance = 0.0;                         ///< |offset|
+  Vector3 offset;        ///< foot − P, without the rounding of far origins
+  Vector3 point;         ///< model coordinates
+  double distance = 0.0; ///< |offset|
   bool converged = false;
   FootType type = FootType::Interior;
   int iterations = 0;
@@ -59,8 +59,8 @@ public:
   /// A lower bound of the distance from a point (from a line, where the query has one).
   virtual double bound(const PatchQuery& query) const = 0;
 
-  /// Calls found(foot) for the feet that descents from all eligible starts end in (the same foot more
-  /// than once). Starts whose bound exceeds limit() are passed over; found may lower it.
+  /// Calls found(foot) for the feet that descents from all eligible starts end in (the same foot
+  /// more than once). Starts whose bound exceeds limit() are passed over; found may lower it.
   virtual void search(const PatchQuery& query, const std::function<double()>& limit,
     const std::function<void(const PatchFoot&)>& found) const = 0;
 

@@ -10,8 +10,9 @@ namespace footpoint
 
 /// Movement of a parameter over a domain that is cut into *smooth pieces* by kinks, gaps and seams.
 ///
-/// A parameter that lies on such a line belongs to the piece on its `side`: at Side::Right it is the
-/// lower border of its piece, at Side::Left the upper one. A closed direction continues at its seam.
+/// A parameter that lies on such a line belongs to the piece on its `side`: at Side::Right it is
+/// the lower border of its piece, at Side::Left the upper one. A closed direction continues at its
+/// seam.
 template <int N>
 class DomainWalk
 {
@@ -47,11 +48,12 @@ public:
   };
   Move move(const Place& place, const Parameter<N>& step) const;
 
-  /// The same, cut short at the first border of the piece on the way, and along those it starts from.
+  /// The same, cut short at the first border of the piece on the way, and along those it starts
+  /// from.
   Move move_to_border(const Place& place, const Parameter<N>& step) const;
 
-  /// The same point as member of the pieces that meet there, `place` itself not included (at a gap the
-  /// other side is another point).
+  /// The same point as member of the pieces that meet there, `place` itself not included (at a gap
+  /// the other side is another point).
   std::vector<Place> neighbours(const Place& place) const;
 
 private:

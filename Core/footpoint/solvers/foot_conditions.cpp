@@ -31,8 +31,7 @@ Eigen::Matrix<bool, N, 1> FootConditions<N>::free(const Frame<N>& frame) const
 }
 
 template <int N>
-Parameter<N> FootConditions<N>::residuals(
-  const Frame<N>& frame, const Parameter<N>& speeds) const
+Parameter<N> FootConditions<N>::residuals(const Frame<N>& frame, const Parameter<N>& speeds) const
 {
   const Eigen::Matrix<bool, N, 1> free = this->free(frame);
   Parameter<N> result;

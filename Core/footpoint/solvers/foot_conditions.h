@@ -18,8 +18,8 @@ constexpr double kStalledSpeed = 1e-7;
 /// it (or below the tolerances) still counts as zero.
 constexpr double kResidualFloor = 1e-13;
 
-/// Rounding of a parameter, a few times over, as a fraction of the domain: where S_i changes fast, one step
-/// of it moves the residual by more than kResidualFloor.
+/// Rounding of a parameter, a few times over, as a fraction of the domain: where S_i changes fast,
+/// one step of it moves the residual by more than kResidualFloor.
 constexpr double kPlaceRounding = 1e-15;
 
 /// A Newton step that moves a parameter by more than this part of the domain leaves the place of a
@@ -51,7 +51,10 @@ public:
   Eigen::Matrix<bool, N, 1> free(const Frame<N>& frame) const;
 
   /// |r·S_i| / |S_i| where free, else 0.
-  Parameter<N> residuals(const Frame<N>& frame) const { return this->residuals(frame, frame.speed); }
+  Parameter<N> residuals(const Frame<N>& frame) const
+  {
+    return this->residuals(frame, frame.speed);
+  }
   /// The same in units of other speeds: near a cusp |S_i| shrinks with r·S_i.
   Parameter<N> residuals(const Frame<N>& frame, const Parameter<N>& speeds) const;
 

@@ -30,22 +30,22 @@ enum class FootType
 template <int N>
 struct LocalFoot
 {
-  Parameter<N> parameter;  ///< local parameters
-  Sides<N> sides;          ///< of which smooth piece `parameter` is a border, where it is one
-  Vector3 point;           ///< S, relative to the geometry's centre
-  double distance = 0.0;   ///< |S − P|
-  /// Largest |r·S_i| / |S_i| over the free directions (those not held by a bound): how far, to first
-  /// order, the foot is from orthogonality, in model units.
+  Parameter<N> parameter; ///< local parameters
+  Sides<N> sides;         ///< of which smooth piece `parameter` is a border, where it is one
+  Vector3 point;          ///< S, relative to the geometry's centre
+  double distance = 0.0;  ///< |S − P|
+  /// Largest |r·S_i| / |S_i| over the free directions (those not held by a bound): how far, to
+  /// first order, the foot is from orthogonality, in model units.
   double residual = 0.0;
-  int iterations = 0;      ///< the start counts as the first
-  bool converged = false;  ///< the conditions of the constrained minimum hold (Karush, Kuhn, Tucker)
+  int iterations = 0;     ///< the start counts as the first
+  bool converged = false; ///< the conditions of the constrained minimum hold (Karush, Kuhn, Tucker)
   Termination termination = Termination::IterationLimit;
   FootType type = FootType::Interior;
 };
 
-/// Descends from a start to a nearby local minimum of the distance, over knot lines, kinks and seams.
-/// \param query local coordinates: P − geometry.centre()
-/// \param start local parameters, brought into the domain (wrapped where closed, else clamped)
+/// Descends from a start to a nearby local minimum of the distance, over knot lines, kinks and
+/// seams. \param query local coordinates: P − geometry.centre() \param start local parameters,
+/// brought into the domain (wrapped where closed, else clamped)
 template <int N>
 LocalFoot<N> find_local_foot(const ParametricGeometry<N>& geometry, const Vector3& query,
   const Parameter<N>& start, const SolverOptions& options = {});
