@@ -91,7 +91,8 @@ Curve random_curve(std::mt19937& generator, const Vector3& from, const Vector3& 
 TEST(CoonsSurface, DiskOfFourArcsHasBidegreeThreeAndIsExact)
 {
   const double q = std::acos(-1.0) / 4.0;
-  const std::array<Curve, 4> curves{ arc(5 * q, 7 * q), arc(-q, q), arc(3 * q, q), arc(5 * q, 3 * q) };
+  const std::array<Curve, 4> curves{ arc(5 * q, 7 * q), arc(-q, q), arc(3 * q, q),
+    arc(5 * q, 3 * q) };
   const Surface surface = coons_surface(curves);
   EXPECT_EQ(surface.knots(0).degree(), 3);
   EXPECT_EQ(surface.knots(1).degree(), 3);
@@ -109,7 +110,8 @@ TEST(CoonsSurface, BilinearSaddleIsReproduced)
     return Curve(KnotVector(1, { 0, 0, 1, 1 }), points);
   };
   const Vector3 c00(0, 0, 0), c10(1, 0, 0), c01(0, 1, 0), c11(1, 1, 1);
-  const std::array<Curve, 4> curves{ line(c00, c10), line(c10, c11), line(c01, c11), line(c00, c01) };
+  const std::array<Curve, 4> curves{ line(c00, c10), line(c10, c11), line(c01, c11),
+    line(c00, c01) };
   const Surface surface = coons_surface(curves);
   EXPECT_EQ(surface.knots(0).degree(), 1);
   EXPECT_FALSE(surface.rational());
@@ -124,12 +126,11 @@ TEST(CoonsSurface, DegreesKnotsDomainsAndWeightsMayDiffer)
   for (int k = 0; k < 40; ++k)
   {
     const bool rational = k % 2 == 1;
-    const std::array<Curve, 4> curves{
-      random_curve(generator, c00, c10, 3, { 0.25, 0.5, 0.5 }, rational, -3.0, 7.0),
+    const std::array<Curve, 4> curves{ random_curve(generator, c00, c10, 3, { 0.25, 0.5, 0.5 },
+                                         rational, -3.0, 7.0),
       random_curve(generator, c10, c11, 2, { 0.4 }, false),
       random_curve(generator, c01, c11, 1 + k % 5, { 0.3, 0.7 }, rational && k % 4 == 1),
-      random_curve(generator, c00, c01, 4, {}, k % 3 == 1, 1e3, 1.0)
-    };
+      random_curve(generator, c00, c01, 4, {}, k % 3 == 1, 1e3, 1.0) };
     const Surface surface = coons_surface(curves);
     ASSERT_LE(largest_difference(surface, curves), 1e-13 * surface.size()) << "case " << k;
   }
@@ -143,8 +144,9 @@ TEST(CoonsSurface, GapIsRefusedWithSidesAndDistance)
     points << a, b;
     return Curve(KnotVector(1, { 0, 0, 1, 1 }), points);
   };
-  const std::array<Curve, 4> curves{ line({ 0, 0, 0 }, { 1, 0, 0 }), line({ 1, 0.25, 0 }, { 1, 1, 0 }),
-    line({ 0, 1, 0 }, { 1, 1, 0 }), line({ 0, 0, 0 }, { 0, 1, 0 }) };
+  const std::array<Curve, 4> curves{ line({ 0, 0, 0 }, { 1, 0, 0 }),
+    line({ 1, 0.25, 0 }, { 1, 1, 0 }), line({ 0, 1, 0 }, { 1, 1, 0 }),
+    line({ 0, 0, 0 }, { 0, 1, 0 }) };
   try
   {
     coons_surface(curves);
@@ -162,8 +164,8 @@ TEST(CoonsSurface, GapIsRefusedWithSidesAndDistance)
 TEST(PiecewisePolynomial, ElevationRefinementAndProductKeepTheFunction)
 {
   std::mt19937 generator(3);
-  const Curve curve = random_curve(
-    generator, Vector3(0, 0, 0), Vector3(1, 2, 3), 3, { 0.2, 0.6, 0.6, 0.6 }, true);
+  const Curve curve =
+    random_curve(generator, Vector3(0, 0, 0), Vector3(1, 2, 3), 3, { 0.2, 0.6, 0.6, 0.6 }, true);
   const PiecewisePolynomial whole = PiecewisePolynomial::homogeneous(curve);
   const PiecewisePolynomial weight = whole.rows(3, 1);
   const PiecewisePolynomial squared = whole.times(weight); // (w²·C, w²): the same curve

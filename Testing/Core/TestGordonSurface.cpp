@@ -13,7 +13,8 @@ namespace
 /// A bicubic polynomial surface in Bernstein form, so that its isoparametric curves are cubics.
 Vector3 height(double u, double v)
 {
-  return { 2.0 * u + 0.2 * v * v, 1.5 * v - 0.1 * u * u * u, u * u * v - 0.5 * v * v * v * u + 0.3 * u };
+  return { 2.0 * u + 0.2 * v * v, 1.5 * v - 0.1 * u * u * u,
+    u * u * v - 0.5 * v * v * v * u + 0.3 * u };
 }
 
 /// The cubic through four points at 0, 1/3, 2/3, 1.
@@ -50,7 +51,8 @@ Vector3 at(const Surface& surface, double u, double v)
 
 TEST(GordonSurface, ReproducesABicubicFromShuffledAndReversedCurves)
 {
-  const std::vector<Curve> profiles{ profile(0.4), profile(1.0, true), profile(0.0), profile(0.7, true) };
+  const std::vector<Curve> profiles{ profile(0.4), profile(1.0, true), profile(0.0),
+    profile(0.7, true) };
   const std::vector<Curve> guides{ guide(0.0), guide(1.0), guide(0.25, true), guide(0.6) };
   const GordonResult result = gordon_surface(profiles, guides);
   EXPECT_EQ(result.network.profile_order, (std::vector<int>{ 2, 0, 3, 1 }));
@@ -72,7 +74,8 @@ TEST(GordonSurface, ReproducesABicubicFromShuffledAndReversedCurves)
 TEST(GordonSurface, GapNamesTheCurvesAndTheDistance)
 {
   Curve far = profile(0.5);
-  const Points moved = (far.local_control_points().colwise() + far.centre()).colwise() + Vector3(0, 0, 3);
+  const Points moved =
+    (far.local_control_points().colwise() + far.centre()).colwise() + Vector3(0, 0, 3);
   const std::vector<Curve> profiles{ profile(0.0), Curve(far.knots(), moved), profile(1.0) };
   try
   {
@@ -82,7 +85,8 @@ TEST(GordonSurface, GapNamesTheCurvesAndTheDistance)
   catch (const BoundaryError& error)
   {
     EXPECT_EQ(error.defect(), BoundaryDefect::Gap);
-    EXPECT_NE(std::string(error.what()).find("profile 1 and guide 0"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("profile 1 and guide 0"), std::string::npos)
+      << error.what();
   }
 }
 
@@ -103,8 +107,8 @@ TEST(GordonSurface, DifferingParametersAreRefusedOrReparametrizedOnRequest)
   };
   const std::vector<Curve> profiles{ line({ 0, 0, 0 }, { 1, 0, 0 }),
     uneven({ 0, 0.5, 0 }, { 1, 0.5, 0 }), line({ 0, 1, 0 }, { 1, 1, 0 }) };
-  const std::vector<Curve> guides{ line({ 0, 0, 0 }, { 0, 1, 0 }), line({ 0.5, 0, 0 }, { 0.5, 1, 0 }),
-    line({ 1, 0, 0 }, { 1, 1, 0 }) };
+  const std::vector<Curve> guides{ line({ 0, 0, 0 }, { 0, 1, 0 }),
+    line({ 0.5, 0, 0 }, { 0.5, 1, 0 }), line({ 1, 0, 0 }, { 1, 1, 0 }) };
   EXPECT_THROW(gordon_surface(profiles, guides), BoundaryError);
   GordonOptions options;
   options.reparametrize = true;

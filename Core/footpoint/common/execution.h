@@ -7,14 +7,17 @@
 namespace footpoint
 {
 
-/// How long work is run: Core starts no thread and prints nothing of its own, the caller injects both.
+/// How long work is run: Core starts no thread and prints nothing of its own, the caller injects
+/// both.
 struct Execution
 {
   /// Calls `body(begin, end)` for disjoint ranges that cover [0, count), perhaps concurrently, and
   /// returns when all are done. Default: one range on the calling thread.
-  std::function<void(std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)>
-    parallel_for = [](std::int64_t count,
-                     const std::function<void(std::int64_t, std::int64_t)>& body) { body(0, count); };
+  std::function<void(
+    std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)>
+    parallel_for =
+      [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
+  { body(0, count); };
 
   /// Told the finished fraction in [0, 1] from the calling thread, between blocks of work; returns
   /// false to cancel. Default: never cancels.

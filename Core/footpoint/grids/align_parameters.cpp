@@ -59,10 +59,10 @@ private:
   std::vector<double> Slope;
 };
 
-/// The curve with its parameter t replaced by change(t), refitted; the largest change of its points, seen
-/// between the samples, goes into `error`.
-PiecewisePolynomial reparametrized(
-  const PiecewisePolynomial& curve, const MonotoneCubic& change, const std::vector<double>& keep, double& error)
+/// The curve with its parameter t replaced by change(t), refitted; the largest change of its
+/// points, seen between the samples, goes into `error`.
+PiecewisePolynomial reparametrized(const PiecewisePolynomial& curve, const MonotoneCubic& change,
+  const std::vector<double>& keep, double& error)
 {
   const int spans = static_cast<int>(curve.breakpoints().size()) - 1;
   const int count = std::max(kLeastSamples, kSamplesPerSpan * spans);
@@ -79,7 +79,8 @@ PiecewisePolynomial reparametrized(
   for (const double t : at)
   {
     const bool kept = t == 0.0 || t == 1.0 || std::find(keep.begin(), keep.end(), t) != keep.end();
-    const bool crowded = std::any_of(keep.begin(), keep.end(), [&](double k) { return std::abs(k - t) < near; });
+    const bool crowded =
+      std::any_of(keep.begin(), keep.end(), [&](double k) { return std::abs(k - t) < near; });
     if ((kept || !crowded) && (thinned.empty() || t > thinned.back()))
     {
       thinned.push_back(t);

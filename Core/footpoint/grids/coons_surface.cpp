@@ -83,15 +83,16 @@ FacingSides common_denominator(const Curve& start, const Curve& end)
   return { a.rows(0, 3).times(weight_b), b.rows(0, 3).times(weight_a), weight_a.times(weight_b) };
 }
 
-/// The functions of one parameter that the surface is made of, as control points on one knot vector.
+/// The functions of one parameter that the surface is made of, as control points on one knot
+/// vector.
 struct Factors
 {
   KnotVector knots;
-  Eigen::MatrixXd start;       ///< numerator of bottom or left
-  Eigen::MatrixXd end;         ///< numerator of top or right
-  Eigen::RowVectorXd weight;   ///< w
-  Eigen::RowVectorXd falling;  ///< (1 − t) w
-  Eigen::RowVectorXd rising;   ///< t w
+  Eigen::MatrixXd start;      ///< numerator of bottom or left
+  Eigen::MatrixXd end;        ///< numerator of top or right
+  Eigen::RowVectorXd weight;  ///< w
+  Eigen::RowVectorXd falling; ///< (1 − t) w
+  Eigen::RowVectorXd rising;  ///< t w
 };
 
 Factors make_factors(const FacingSides& sides, bool polynomial)
@@ -110,7 +111,8 @@ Factors make_factors(const FacingSides& sides, bool polynomial)
     const PiecewisePolynomial one = PiecewisePolynomial::single(Eigen::RowVector2d(1.0, 1.0));
     const PiecewisePolynomial down = PiecewisePolynomial::single(Eigen::RowVector2d(1.0, 0.0));
     const PiecewisePolynomial up = PiecewisePolynomial::single(Eigen::RowVector2d(0.0, 1.0));
-    return { knots, control(sides.start), control(sides.end), control(one), control(down), control(up) };
+    return { knots, control(sides.start), control(sides.end), control(one), control(down),
+      control(up) };
   }
   return { knots, control(sides.start), control(sides.end), control(sides.weight), control(falling),
     control(rising) };

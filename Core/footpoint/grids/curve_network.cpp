@@ -30,7 +30,8 @@ void check(const std::vector<Curve>& curves, const std::string& name)
     if (curves[k].rational())
     {
       throw BoundaryError(BoundaryDefect::Count,
-        name + " " + std::to_string(k) + " is rational; a Gordon surface is made of polynomial curves");
+        name + " " + std::to_string(k) +
+          " is rational; a Gordon surface is made of polynomial curves");
     }
   }
 }
@@ -64,8 +65,9 @@ Meetings find_meetings(const std::vector<Curve>& profiles, const std::vector<Cur
       if (meeting.gap > options.intersection_tolerance * size)
       {
         throw BoundaryError(BoundaryDefect::Gap,
-          "profile " + std::to_string(i) + " and guide " + std::to_string(j) + " pass each other at " +
-            to_text(meeting.gap) + "; allowed is " + to_text(options.intersection_tolerance * size));
+          "profile " + std::to_string(i) + " and guide " + std::to_string(j) +
+            " pass each other at " + to_text(meeting.gap) + "; allowed is " +
+            to_text(options.intersection_tolerance * size));
       }
       report.largest_gap = std::max(report.largest_gap, meeting.gap);
       meetings.on_profile(i, j) = meeting.first / profiles[i].direction(0).length;

@@ -24,17 +24,16 @@ struct CurveNetwork
   NetworkReport report;
 };
 
-/// Finds all meetings, sorts both families along the other one and turns all curves of a family the way
-/// its first one runs.
-/// \throw BoundaryError (Count, Gap, Branch where curves meet in different orders)
+/// Finds all meetings, sorts both families along the other one and turns all curves of a family the
+/// way its first one runs. \throw BoundaryError (Count, Gap, Branch where curves meet in different
+/// orders)
 CurveNetwork order_network(const std::vector<Curve>& profiles, const std::vector<Curve>& guides,
   const GordonOptions& options);
 
-/// Brings the meetings of a family to one parameter each: the mean, where all agree to `tolerance` in
-/// space; else by reparametrization, if allowed.
-/// \param name of the curves in messages
-/// \return the common parameters; changes `family`, adds to `error` the change of its curves
-/// \throw BoundaryError (Branch)
+/// Brings the meetings of a family to one parameter each: the mean, where all agree to `tolerance`
+/// in space; else by reparametrization, if allowed. \param name of the curves in messages \return
+/// the common parameters; changes `family`, adds to `error` the change of its curves \throw
+/// BoundaryError (Branch)
 std::vector<double> align_parameters(CurveFamily& family, const std::string& name, double size,
   const GordonOptions& options, double& error);
 

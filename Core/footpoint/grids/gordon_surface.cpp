@@ -14,7 +14,8 @@ namespace
 /// Degree of the splines that are interpolated across a family.
 constexpr int kBlendDegree = 3;
 
-/// The cardinal splines of given parameters: the k-th component is 1 at the k-th parameter, 0 at others.
+/// The cardinal splines of given parameters: the k-th component is 1 at the k-th parameter, 0 at
+/// others.
 PiecewisePolynomial cardinal_splines(const std::vector<double>& parameters)
 {
   const KnotVector knots = averaged_knots(parameters, kBlendDegree);
@@ -24,12 +25,14 @@ PiecewisePolynomial cardinal_splines(const std::vector<double>& parameters)
 }
 
 /// The least knot vector that holds all curves of a family and the cardinal splines along it.
-KnotVector knots_of(const CurveFamily& family, const PiecewisePolynomial& cardinal, const char* name)
+KnotVector knots_of(
+  const CurveFamily& family, const PiecewisePolynomial& cardinal, const char* name)
 {
   KnotVector knots = common_knots(cardinal, cardinal, 1);
   for (const PiecewisePolynomial& curve : family.curves)
   {
-    // A spline whose pieces are all there is, is its knot vector: any function of that space will do.
+    // A spline whose pieces are all there is, is its knot vector: any function of that space will
+    // do.
     const auto count = knots.number_of_control_points();
     const auto holder = PiecewisePolynomial::spline(knots, Eigen::MatrixXd::Zero(1, count));
     knots = common_knots(holder, curve, 1);

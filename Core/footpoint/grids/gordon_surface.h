@@ -12,13 +12,16 @@ namespace footpoint
 
 struct GordonOptions
 {
-  /// How far curves may pass each other where they should meet, as a fraction of the network's size.
+  /// How far curves may pass each other where they should meet, as a fraction of the network's
+  /// size.
   double intersection_tolerance = 1e-3;
   /// The parameters of the meetings have to agree along all curves of a family, to the effect of
-  /// intersection_tolerance in space. Where they do not the network is refused; with this on the curves
-  /// are reparametrized instead (approximately: a monotone cubic change of parameter, refitted).
+  /// intersection_tolerance in space. Where they do not the network is refused; with this on the
+  /// curves are reparametrized instead (approximately: a monotone cubic change of parameter,
+  /// refitted).
   bool reparametrize = false;
-  double reparametrization_tolerance = 1e-4; ///< largest allowed change of a curve, fraction of the size
+  double reparametrization_tolerance =
+    1e-4; ///< largest allowed change of a curve, fraction of the size
 };
 
 /// What was done to a network to put it in order.
@@ -40,10 +43,10 @@ struct GordonResult
   NetworkReport network;
 };
 
-/// The Gordon surface (W. J. Gordon 1969) through a network: profiles run along u, guides along v, every
-/// profile meets every guide once. S = S_profiles + S_guides − S_grid, all on one pair of knot vectors;
-/// the intersections are found by descents of curve against curve.
-/// \param profiles at least 2, any order and direction; non-rational (rational ones are refused: the
+/// The Gordon surface (W. J. Gordon 1969) through a network: profiles run along u, guides along v,
+/// every profile meets every guide once. S = S_profiles + S_guides − S_grid, all on one pair of
+/// knot vectors; the intersections are found by descents of curve against curve. \param profiles at
+/// least 2, any order and direction; non-rational (rational ones are refused: the
 ///                 network of rational curves has no exact Gordon surface of this kind)
 /// \throw BoundaryError, GeometryError
 GordonResult gordon_surface(const std::vector<Curve>& profiles, const std::vector<Curve>& guides,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/grids/boundary.h"
 #include "footpoint/grids/structured_points.h"
-#include "footpoint/common/execution.h"
 #include "footpoint/splines/curve.h"
 
 #include <memory>

@@ -8,8 +8,8 @@ namespace footpoint
 namespace
 {
 
-/// Points between two looks at progress and cancellation: some tens of milliseconds of work at up to
-/// 30 µs a point; where all feet are sought a point takes a hundred times as long.
+/// Points between two looks at progress and cancellation: some tens of milliseconds of work at up
+/// to 30 µs a point; where all feet are sought a point takes a hundred times as long.
 constexpr std::int64_t kBlock = 1024;
 constexpr std::int64_t kBlockOfAllFeet = 64;
 
@@ -81,8 +81,8 @@ InversionResult invert(const PointInverter& inverter, const Points& points,
     {
       append(result, begin + static_cast<std::int64_t>(k), every[k]);
     }
-    result.cancelled = !execution.proceed(static_cast<double>(begin + block) / count) &&
-      begin + block < count;
+    result.cancelled =
+      !execution.proceed(static_cast<double>(begin + block) / count) && begin + block < count;
   }
   return result;
 }

@@ -26,7 +26,7 @@ struct DeviationStatistics
 /// \param feet      all points that count
 /// \param tolerance limit of |distance| in model units; infinity: nothing is out of tolerance
 /// Sums are taken in a fixed order with compensation (Neumaier 1974).
-DeviationStatistics deviation_statistics(const std::vector<Foot>& feet,
-  double tolerance = std::numeric_limits<double>::infinity());
+DeviationStatistics deviation_statistics(
+  const std::vector<Foot>& feet, double tolerance = std::numeric_limits<double>::infinity());
 
 } // namespace footpoint

@@ -186,7 +186,8 @@ Evaluation evaluate(const Face& face, const Parameter<2>& parameter)
 {
   auto distance = [&parameter](const Patch& patch)
   {
-    return patch.curve ? outside<1>(*patch.curve, parameter) : outside<2>(*patch.surface, parameter);
+    return patch.curve ? outside<1>(*patch.curve, parameter)
+                       : outside<2>(*patch.surface, parameter);
   };
   const auto patch = std::min_element(face.patches.begin(), face.patches.end(),
     [&](const Patch& a, const Patch& b) { return distance(a) < distance(b); });

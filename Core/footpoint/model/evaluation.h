@@ -20,8 +20,8 @@ struct Evaluation
 /// \param t local parameter
 Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const Sides<1>& sides);
 
-/// Unit normal S_u × S_v of one smooth piece. Where that vanishes (pole, collapsed side, cusp) the limit
-/// from inside the domain along the vanishing direction; the zero vector where there is none.
+/// Unit normal S_u × S_v of one smooth piece. Where that vanishes (pole, collapsed side, cusp) the
+/// limit from inside the domain along the vanishing direction; the zero vector where there is none.
 /// \param t local parameters
 Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides);
 
@@ -29,9 +29,9 @@ Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, con
 /// gives the distance its right sign (J. A. Bærentzen and H. Aanæs 2005).
 Vector3 mean_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides);
 
-/// Evaluates a face at parameters of its own domain (curves: the first one counts). Closed directions
-/// are wrapped, open ones clamped; of several patches the one whose domain is nearest to the parameter.
-/// \pre the face has a patch and the parameter is finite
+/// Evaluates a face at parameters of its own domain (curves: the first one counts). Closed
+/// directions are wrapped, open ones clamped; of several patches the one whose domain is nearest to
+/// the parameter. \pre the face has a patch and the parameter is finite
 Evaluation evaluate(const Face& face, const Parameter<2>& parameter);
 
 } // namespace footpoint

@@ -13,9 +13,9 @@ namespace footpoint
 /// Outcome for one point; numbers are those of the array Status.
 enum class Status
 {
-  Certified = 0,             ///< proved: no point of the geometry is closer (not yet given by any search)
-  Converged = 1,             ///< a local minimum of the distance
-  NotConverged = 2,          ///< the best point found
+  Certified = 0,    ///< proved: no point of the geometry is closer (not yet given by any search)
+  Converged = 1,    ///< a local minimum of the distance
+  NotConverged = 2, ///< the best point found
   BeyondMaximumDistance = 3, ///< nothing found within the maximum distance
   InvalidPoint = 4,          ///< a coordinate is NaN or infinite
   NoOrthogonalFoot = 5       ///< the closest point is given, but r is orthogonal nowhere
@@ -37,11 +37,12 @@ struct InversionOptions
   Vector3 fixed_direction = Vector3::Zero();
 };
 
-/// Where to start from, for one point: in Seeded and Local search tried besides, instead of, the grid.
+/// Where to start from, for one point: in Seeded and Local search tried besides, instead of, the
+/// grid.
 struct Start
 {
-  int face = -1;                                         ///< −1: every face
-  Parameter<2> parameter = Parameter<2>::Constant(NAN);  ///< domain of the geometry; NaN: automatic
+  int face = -1;                                        ///< −1: every face
+  Parameter<2> parameter = Parameter<2>::Constant(NAN); ///< domain of the geometry; NaN: automatic
 };
 
 /// The foot of one point, in model coordinates.
@@ -55,8 +56,8 @@ struct Foot
   bool on_curve = false;
   Parameter<2> parameter = Parameter<2>::Constant(NAN); ///< geometry's own domain; curves: v = 0
   Vector3 point = Vector3::Constant(NAN);
-  /// Surfaces: unit normal S_u × S_v (limit at poles, mean of both sides on kinks), reversed with the
-  /// face. Curves: unit tangent.
+  /// Surfaces: unit normal S_u × S_v (limit at poles, mean of both sides on kinks), reversed with
+  /// the face. Curves: unit tangent.
   Vector3 direction = Vector3::Constant(NAN);
   double distance = NAN;
   /// Distance with the sign of (P − point)·normal, sign(0) = +1; NaN on curves.

@@ -12,12 +12,13 @@ namespace footpoint
 namespace
 {
 
-/// Half width of the 3 × 3 micro-grid in cells of the coarse grid: ±10 % of the domain at the guide's
-/// seven samples; after a descent that stagnated half of that.
+/// Half width of the 3 × 3 micro-grid in cells of the coarse grid: ±10 % of the domain at the
+/// guide's seven samples; after a descent that stagnated half of that.
 constexpr double kMicroGrid = 0.6;
 constexpr double kMicroGridAfterStagnation = 0.3;
 
-/// Samples that share the domain evenly, both ends included; a closed direction's second end left out.
+/// Samples that share the domain evenly, both ends included; a closed direction's second end left
+/// out.
 std::vector<double> samples(const Direction& direction, int resolution)
 {
   const int count = std::max(resolution, 2);
@@ -152,8 +153,7 @@ LocalFoot<N> SeededSearch<N>::find_from(
   LocalFoot<N> foot = find_local_foot<N>(this->Geometry, query, start, options);
   if (foot.termination == Termination::Stagnation && !foot.converged)
   {
-    const Parameter<N> again =
-      this->refine(query, foot.parameter, kMicroGridAfterStagnation);
+    const Parameter<N> again = this->refine(query, foot.parameter, kMicroGridAfterStagnation);
     LocalFoot<N> other = find_local_foot<N>(this->Geometry, query, again, options);
     other.iterations += foot.iterations;
     return is_better(other, foot, this->Geometry) ? other : foot;

@@ -14,12 +14,12 @@ namespace footpoint
 /// Where the starts of a seeded search come from.
 struct SeedOptions
 {
-  int resolution = 7;      ///< samples a direction of the coarse grid over the domain (guide: 7 × 7)
+  int resolution = 7; ///< samples a direction of the coarse grid over the domain (guide: 7 × 7)
   int number_of_seeds = 4; ///< that many of the grid's best local minima are descended from
 };
 
-/// Starts for the local solver: a coarse grid over the domain, then a 3 × 3 micro-grid of ±10 % of a
-/// grid cell around the best samples; where a descent stagnates, again with ±5 %.
+/// Starts for the local solver: a coarse grid over the domain, then a 3 × 3 micro-grid of ±10 % of
+/// a grid cell around the best samples; where a descent stagnates, again with ±5 %.
 ///
 /// Built once per geometry; queries are const and thread-safe. Seeds find a local minimum, mostly
 /// the global one; they prove nothing.

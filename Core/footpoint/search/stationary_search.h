@@ -16,8 +16,8 @@ template <int N>
 std::optional<LocalFoot<N>> find_orthogonal_foot(const ParametricGeometry<N>& geometry,
   const Vector3& query, const Parameter<N>& start, const SolverOptions& options);
 
-/// Whether r is orthogonal to the geometry at a foot: on all smooth pieces that meet there, and at a
-/// pole in all its columns.
+/// Whether r is orthogonal to the geometry at a foot: on all smooth pieces that meet there, and at
+/// a pole in all its columns.
 template <int N>
 bool is_orthogonal(const ParametricGeometry<N>& geometry, const Vector3& query,
   const LocalFoot<N>& foot, const SolverOptions& options);

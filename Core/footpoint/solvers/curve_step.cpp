@@ -61,8 +61,8 @@ double step_from_height(double height, double along, const OsculatingFrame& oscu
   return std::copysign(length, along) / osculating.speed;
 }
 
-/// (Q − c)·t of eq. (22). Its last term turns a step longer than √6 radii of curvature round: without
-/// it the published counts do not come out for starts beyond the centre of curvature.
+/// (Q − c)·t of eq. (22). Its last term turns a step longer than √6 radii of curvature round:
+/// without it the published counts do not come out for starts beyond the centre of curvature.
 double along_tangent(double s, const OsculatingFrame& o)
 {
   const double turned = o.curvature * s;
@@ -80,8 +80,8 @@ double first_order(const Frame<1>&, const OsculatingFrame& o)
   return o.along / o.speed;
 }
 
-/// Eqs. (9)–(13). With the centre at (0, ρ), h = |P − O|: the height of Q is ρ (1 + (b − ρ)/h), without
-/// cancellation ρ a² / (h (h − (b − ρ))) where P is on the curve's side of the centre.
+/// Eqs. (9)–(13). With the centre at (0, ρ), h = |P − O|: the height of Q is ρ (1 + (b − ρ)/h),
+/// without cancellation ρ a² / (h (h − (b − ρ))) where P is on the curve's side of the centre.
 double curvature_circle(const Frame<1>& frame, const OsculatingFrame& o)
 {
   if (o.curvature == 0.0)
@@ -118,8 +118,8 @@ double second_order_2(const Frame<1>&, const OsculatingFrame& o)
   return std::copysign(s, along_tangent(s, o)) / o.speed;
 }
 
-/// Eqs. (20), (22) with the change of curvature, (24), (25); the root of smaller magnitude. NaN where
-/// the roots are complex: the model has no foot, and the method nothing to propose.
+/// Eqs. (20), (22) with the change of curvature, (24), (25); the root of smaller magnitude. NaN
+/// where the roots are complex: the model has no foot, and the method nothing to propose.
 double second_order_3(const Frame<1>& frame, const OsculatingFrame& o)
 {
   if (o.curvature == 0.0)
@@ -144,12 +144,23 @@ Step<1> make_curve_step(Method method)
   double (*formula)(const Frame<1>&, const OsculatingFrame&) = nullptr;
   switch (method)
   {
-    case Method::FirstOrder: formula = first_order; break;
-    case Method::CurvatureCircle: formula = curvature_circle; break;
-    case Method::SecondOrder1: formula = second_order_1; break;
-    case Method::SecondOrder2: formula = second_order_2; break;
-    case Method::SecondOrder3: formula = second_order_3; break;
-    default: throw std::invalid_argument("not a geometric step for curves");
+    case Method::FirstOrder:
+      formula = first_order;
+      break;
+    case Method::CurvatureCircle:
+      formula = curvature_circle;
+      break;
+    case Method::SecondOrder1:
+      formula = second_order_1;
+      break;
+    case Method::SecondOrder2:
+      formula = second_order_2;
+      break;
+    case Method::SecondOrder3:
+      formula = second_order_3;
+      break;
+    default:
+      throw std::invalid_argument("not a geometric step for curves");
   }
   return [formula](const Frame<1>& frame, const StepSettings<1>& settings) -> Parameter<1>
   {

@@ -6,8 +6,8 @@
 namespace footpoint
 {
 
-/// The geometric steps of the paper on orthogonal projection onto planar curves, carried to space by
-/// working in the osculating plane: t the unit tangent, n the principal normal, κ the curvature,
+/// The geometric steps of the paper on orthogonal projection onto planar curves, carried to space
+/// by working in the osculating plane: t the unit tangent, n the principal normal, κ the curvature,
 /// (a, b) = ((P − c)·t, (P − c)·n). Everything is formed in the frame (t, n), never from absolute
 /// coordinates, whose difference Q − c loses half the digits under the root of eq. (24).
 /// \pre method is FirstOrder, CurvatureCircle, SecondOrder1, SecondOrder2 or SecondOrder3

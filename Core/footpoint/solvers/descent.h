@@ -59,7 +59,8 @@ private:
   /// Rounding of E = ½|r|², from eight roundings of each coordinate.
   double energy_noise() const
   {
-    const double error = 8.0 * std::numeric_limits<double>::epsilon() * (this->Geometry.size() + this->Current.distance);
+    const double error = 8.0 * std::numeric_limits<double>::epsilon() *
+      (this->Geometry.size() + this->Current.distance);
     return error * (this->Current.distance + error);
   }
 
@@ -90,8 +91,8 @@ private:
 
   bool step_is_small() const;
 
-  /// Where the parametrization stands still, or a surface is a thin strip, a short way in space is a
-  /// long one in parameters: both have to be short.
+  /// Where the parametrization stands still, or a surface is a thin strip, a short way in space is
+  /// a long one in parameters: both have to be short.
   bool stays(const Parameter<N>& t) const;
 
   LocalFoot<N> settle_or_stagnate(bool settled);
@@ -116,7 +117,8 @@ private:
   /// The better of the full step and, where it crosses a border of the piece, the border itself.
   Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const;
 
-  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their floor.
+  /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their
+  /// floor.
   bool accepts(const Frame<N>& frame, const Parameter<N>& moved) const;
 
   Candidate shortened(Parameter<N> step);
@@ -140,7 +142,8 @@ private:
   /// residual alone may be the rounding of a seam, and would be handed to and fro.
   bool descends(const Frame<N>& frame) const;
 
-  /// At a pole the parameter along the collapsed side is free: the column in which descent is steepest.
+  /// At a pole the parameter along the collapsed side is free: the column in which descent is
+  /// steepest.
   Candidate turn_at_pole();
 
   /// The place on a collapsed side of direction i that the current point is on, or a rounding off.
@@ -187,7 +190,8 @@ private:
   int PoleRestarts = 0;
   double Lambda = 0.0;
   double LastStep = 0.0;
-  double Checkpoint = std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
+  double Checkpoint =
+    std::numeric_limits<double>::infinity(); ///< residual kPatience iterations ago
   bool Slow = false;
   double Radius = 0.0; ///< of the trust region, in model units
 };

@@ -12,8 +12,8 @@ struct Frame
 {
   using Matrix = Eigen::Matrix<double, N, N>;
 
-  Parameter<N> t;        ///< local parameters
-  Sides<N> sides;        ///< the smooth piece that is meant where t lies on a knot line
+  Parameter<N> t; ///< local parameters
+  Sides<N> sides; ///< the smooth piece that is meant where t lies on a knot line
   Jet<N> jet;
   Vector3 r;             ///< S − P
   double distance;       ///< |r|

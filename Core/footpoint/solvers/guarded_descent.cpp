@@ -12,9 +12,9 @@ constexpr double kSufficientDecrease = 1e-4;
 /// Halvings (or fourfold dampings) of one step before the fall-backs are tried.
 constexpr int kBacktracks = 12;
 
-/// A method that has not brought the residual down to a hundredth in so many iterations hands over to
-/// Newton's steps for as many: without curvature convergence is linear, as slow as the query is near a
-/// centre of curvature.
+/// A method that has not brought the residual down to a hundredth in so many iterations hands over
+/// to Newton's steps for as many: without curvature convergence is linear, as slow as the query is
+/// near a centre of curvature.
 constexpr int kPatience = 10;
 
 } // namespace
@@ -47,8 +47,7 @@ LocalFoot<N> Descent<N>::descend()
     const bool short_step = !settled && this->step_is_small() && this->stays(next->t);
     this->Current = *next;
     ++this->Iterations;
-    this->Radius =
-      std::min(2.0 * this->Radius, this->Options.trust_radius * this->Geometry.size());
+    this->Radius = std::min(2.0 * this->Radius, this->Options.trust_radius * this->Geometry.size());
     if (short_step)
     {
       return this->finish(Termination::SmallStep);
@@ -83,8 +82,7 @@ LocalFoot<N> Descent<N>::settle_or_stagnate(bool settled)
   {
     return this->finish(Termination::ZeroCosine);
   }
-  return this->finish(
-    this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
+  return this->finish(this->step_is_small() ? Termination::SmallStep : Termination::Stagnation);
 }
 
 template <int N>
@@ -126,8 +124,8 @@ typename Descent<N>::Candidate Descent<N>::proposed_step(const StepSettings<N>& 
 template <int N>
 typename Descent<N>::Candidate Descent<N>::newton_step(const StepSettings<N>& settings)
 {
-  return this->shortened(this->limited(
-    solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
+  return this->shortened(
+    this->limited(solve_scaled<N>(this->Current.hessian(), this->Current.gradient, settings)));
 }
 
 template <int N>

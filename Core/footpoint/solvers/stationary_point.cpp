@@ -54,7 +54,8 @@ typename Descent<N>::Candidate Descent<N>::cross_border() const
     // The other side of a gap is another point, and a minimum of its own.
     const bool continues =
       (frame.r - this->Current.r).norm() <= kClosureTolerance * this->Geometry.size();
-    if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate && this->descends(frame))
+    if (continues && this->Conditions.excess(frame) > 1.0 && residual > rate &&
+      this->descends(frame))
     {
       rate = residual;
       steepest = frame;
@@ -174,7 +175,8 @@ typename Descent<N>::Curvatures Descent<N>::curvatures(const StepSettings<N>& se
 }
 
 template <int N>
-typename Descent<N>::Candidate Descent<N>::escape_saddle(const StepSettings<N>& settings, const Curvatures& curvatures) const
+typename Descent<N>::Candidate Descent<N>::escape_saddle(
+  const StepSettings<N>& settings, const Curvatures& curvatures) const
 {
   for (int k = 0; k < N; ++k)
   {
@@ -202,7 +204,8 @@ typename Descent<N>::Candidate Descent<N>::escape_saddle(const StepSettings<N>& 
 }
 
 template <int N>
-typename Descent<N>::Candidate Descent<N>::sharpen(const StepSettings<N>& settings, const Curvatures& curvatures) const
+typename Descent<N>::Candidate Descent<N>::sharpen(
+  const StepSettings<N>& settings, const Curvatures& curvatures) const
 {
   Parameter<N> sure = Parameter<N>::Zero();
   Parameter<N> unsure = Parameter<N>::Zero();
@@ -215,8 +218,7 @@ typename Descent<N>::Candidate Descent<N>::sharpen(const StepSettings<N>& settin
       curvature > 0.0 ? Parameter<N>(-slope / curvature * direction) : Parameter<N>::Zero();
     (is_noticeable<N>(step, this->Geometry) ? unsure : sure) += step;
   }
-  const bool far =
-    (this->Current.jet.first * unsure).norm() > kSharpening * this->Geometry.size();
+  const bool far = (this->Current.jet.first * unsure).norm() > kSharpening * this->Geometry.size();
   Candidate best;
   if (unsure.isZero() || far)
   {
@@ -240,8 +242,8 @@ typename Descent<N>::Candidate Descent<N>::sharpen(const StepSettings<N>& settin
     ahead.Current = this->arrive(sure + multiplicity * unsure, moved);
     look_at(ahead.Current);
     const StepSettings<N> there = ahead.settings(this->Conditions.free(ahead.Current));
-    look_at(ahead.arrive(
-      solve_scaled<N>(ahead.Current.hessian(), ahead.Current.gradient, there), moved));
+    look_at(
+      ahead.arrive(solve_scaled<N>(ahead.Current.hessian(), ahead.Current.gradient, there), moved));
   }
   return best;
 }

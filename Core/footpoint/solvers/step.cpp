@@ -14,8 +14,8 @@ namespace footpoint
 namespace
 {
 
-/// Eigenvalues below this part of the largest are lifted to it: the step stays finite, and the trust
-/// radius shortens what is left of it.
+/// Eigenvalues below this part of the largest are lifted to it: the step stays finite, and the
+/// trust radius shortens what is left of it.
 constexpr double kEigenvalueFloor = 1e-14;
 
 template <int N>
@@ -35,8 +35,7 @@ Eigen::Matrix<double, 3, N> free_tangents(const Frame<N>& frame, const StepSetti
 
 /// v in coordinates of the free directions: (JᵀJ)⁻¹ Jᵀ v, column-scaled.
 template <int N>
-Parameter<N> components(
-  const Frame<N>& frame, const Vector3& v, const StepSettings<N>& settings)
+Parameter<N> components(const Frame<N>& frame, const Vector3& v, const StepSettings<N>& settings)
 {
   StepSettings<N> plain = settings;
   plain.descend = true;
@@ -44,10 +43,10 @@ Parameter<N> components(
   return solve_scaled<N>(frame.metric(), -along, plain);
 }
 
-/// Newton's step in geodesic coordinates of the part of the geometry that is free to move: the whole
-/// of it, or an isoparametric curve. Only what of r is orthogonal to that part meets its curvature;
-/// back in parameters the step is Δ − ½ Γ(Δ, Δ), with Γ the tangential part of the second derivatives
-/// (Christoffel symbols).
+/// Newton's step in geodesic coordinates of the part of the geometry that is free to move: the
+/// whole of it, or an isoparametric curve. Only what of r is orthogonal to that part meets its
+/// curvature; back in parameters the step is Δ − ½ Γ(Δ, Δ), with Γ the tangential part of the
+/// second derivatives (Christoffel symbols).
 template <int N>
 Parameter<N> covariant_step(const Frame<N>& frame, const StepSettings<N>& settings)
 {
@@ -70,8 +69,8 @@ Parameter<N> covariant_step(const Frame<N>& frame, const StepSettings<N>& settin
 } // namespace
 
 template <int N>
-Parameter<N> solve_scaled(
-  const Eigen::Matrix<double, N, N>& matrix, const Parameter<N>& gradient, const StepSettings<N>& settings)
+Parameter<N> solve_scaled(const Eigen::Matrix<double, N, N>& matrix, const Parameter<N>& gradient,
+  const StepSettings<N>& settings)
 {
   Matrix<N> scaled = settings.scale.asDiagonal() * matrix * settings.scale.asDiagonal();
   Parameter<N> right = settings.scale.cwiseProduct(gradient);
@@ -88,8 +87,8 @@ Parameter<N> solve_scaled(
   {
     return Parameter<N>::Zero();
   }
-  // Where S_i is small beside the curvature (poles, folds of a strip) the scaled diagonal is huge and
-  // would drown the other direction in rounding.
+  // Where S_i is small beside the curvature (poles, folds of a strip) the scaled diagonal is huge
+  // and would drown the other direction in rounding.
   Parameter<N> unit = settings.scale;
   for (int i = 0; i < N; ++i)
   {
@@ -109,7 +108,8 @@ Parameter<N> solve_scaled(
   Parameter<N> values = eigen.eigenvalues().cwiseAbs().cwiseMax(kEigenvalueFloor * largest);
   if (!settings.descend)
   {
-    values = values.binaryExpr(eigen.eigenvalues(), [](double a, double b) { return std::copysign(a, b); });
+    values = values.binaryExpr(
+      eigen.eigenvalues(), [](double a, double b) { return std::copysign(a, b); });
   }
   const Parameter<N> delta =
     -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * right).cwiseQuotient(values));
@@ -130,7 +130,8 @@ Step<N> make_step(Method method)
     case Method::LevenbergMarquardt:
       return [](const Frame<N>& frame, const StepSettings<N>& settings)
       {
-        const Parameter<N> damping = settings.lambda * settings.scale.cwiseProduct(settings.scale).cwiseInverse();
+        const Parameter<N> damping =
+          settings.lambda * settings.scale.cwiseProduct(settings.scale).cwiseInverse();
         const Matrix<N> matrix = frame.metric() + Matrix<N>(damping.asDiagonal());
         return solve_scaled<N>(matrix, frame.gradient, settings);
       };

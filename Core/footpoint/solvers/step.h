@@ -13,9 +13,9 @@ namespace footpoint
 template <int N>
 struct StepSettings
 {
-  Eigen::Matrix<bool, N, 1> free;    ///< directions not held by a bound; the others get Δ = 0
-  Parameter<N> scale;                ///< unit of each parameter in the linear system (column scaling)
-  double lambda = 0.0;               ///< damping; only Levenberg–Marquardt reads it
+  Eigen::Matrix<bool, N, 1> free; ///< directions not held by a bound; the others get Δ = 0
+  Parameter<N> scale;             ///< unit of each parameter in the linear system (column scaling)
+  double lambda = 0.0;            ///< damping; only Levenberg–Marquardt reads it
   /// Take eigenvalues of the matrix by magnitude, so that Δ is a descent direction whatever their
   /// signs (saddle-free Newton, Y. Dauphin et al. 2014); false: the bare A Δ = −g.
   bool descend = true;
@@ -36,7 +36,7 @@ int derivative_order(Method method);
 
 /// Solves A Δ = −g over the free directions, in the unit `settings.scale` of each.
 template <int N>
-Parameter<N> solve_scaled(const Eigen::Matrix<double, N, N>& matrix,
-  const Parameter<N>& gradient, const StepSettings<N>& settings);
+Parameter<N> solve_scaled(const Eigen::Matrix<double, N, N>& matrix, const Parameter<N>& gradient,
+  const StepSettings<N>& settings);
 
 } // namespace footpoint

@@ -225,8 +225,9 @@ PiecewisePolynomial PiecewisePolynomial::times(const PiecewisePolynomial& factor
     // A factor without a knot there does not limit the product.
     const bool free_a = a.Smoothness[k] >= p;
     const bool free_b = b.Smoothness[k] >= q;
-    a.Smoothness[k] = free_a ? (free_b ? p + q : b.Smoothness[k])
-                             : (free_b ? a.Smoothness[k] : std::min(a.Smoothness[k], b.Smoothness[k]));
+    a.Smoothness[k] = free_a
+      ? (free_b ? p + q : b.Smoothness[k])
+      : (free_b ? a.Smoothness[k] : std::min(a.Smoothness[k], b.Smoothness[k]));
   }
   return a;
 }
@@ -239,8 +240,8 @@ Eigen::MatrixXd PiecewisePolynomial::control_points(const KnotVector& knots) con
   Eigen::MatrixXd result(all.Pieces.front().rows(), knots.number_of_control_points());
   for (int i = 0; i < knots.number_of_control_points(); ++i)
   {
-    // Of the pieces under the basis function the one in its middle: there the blossom's arguments are
-    // nearest and its numbers smallest.
+    // Of the pieces under the basis function the one in its middle: there the blossom's arguments
+    // are nearest and its numbers smallest.
     const double middle = 0.5 * (t[i] + t[i + p + 1]);
     const std::size_t piece = all.piece_at(middle);
     const double from = all.Breakpoints[piece];

@@ -10,13 +10,14 @@ namespace footpoint
 {
 
 /// A vector-valued piecewise polynomial of one parameter in Bernstein form, the workbench on which
-/// splines are brought to a common degree and knot vector, and multiplied. Everything is exact up to
-/// rounding.
+/// splines are brought to a common degree and knot vector, and multiplied. Everything is exact up
+/// to rounding.
 class PiecewisePolynomial
 {
 public:
   /// \param breakpoints m + 1 ascending numbers
-  /// \param smoothness  per breakpoint (those at the ends do not count): derivatives that are continuous
+  /// \param smoothness  per breakpoint (those at the ends do not count): derivatives that are
+  /// continuous
   ///                    there, −1 for a jump
   /// \param pieces      m matrices of one size: a row for each component, degree + 1 columns
   PiecewisePolynomial(std::vector<double> breakpoints, std::vector<int> smoothness,
@@ -26,8 +27,8 @@ public:
   /// \param control a row for each component, a column for each control point
   static PiecewisePolynomial spline(const KnotVector& knots, const Eigen::MatrixXd& control);
 
-  /// The homogeneous coordinates (w·x, w·y, w·z, w) of a curve, in space (not relative to its centre),
-  /// with the domain mapped to [0, 1].
+  /// The homogeneous coordinates (w·x, w·y, w·z, w) of a curve, in space (not relative to its
+  /// centre), with the domain mapped to [0, 1].
   static PiecewisePolynomial homogeneous(const Curve& curve);
 
   /// One polynomial on [0, 1]. \param control a row for each component, degree + 1 columns
@@ -49,12 +50,13 @@ public:
   /// Each row times the one row of a scalar. \pre the factor has one row
   PiecewisePolynomial times(const PiecewisePolynomial& factor) const;
 
-  /// Control points on a clamped knot vector whose space contains this polynomial: control point i is
-  /// the blossom at the knots i + 1 … i + degree (L. Ramshaw 1989).
-  /// \pre knots.degree() ≥ degree(); every breakpoint is a knot
+  /// Control points on a clamped knot vector whose space contains this polynomial: control point i
+  /// is the blossom at the knots i + 1 … i + degree (L. Ramshaw 1989). \pre knots.degree() ≥
+  /// degree(); every breakpoint is a knot
   Eigen::MatrixXd control_points(const KnotVector& knots) const;
 
-  /// The least clamped knot vector over [0, 1] that holds both, with the larger degree at least `degree`.
+  /// The least clamped knot vector over [0, 1] that holds both, with the larger degree at least
+  /// `degree`.
   friend KnotVector common_knots(
     const PiecewisePolynomial& a, const PiecewisePolynomial& b, int degree);
 
