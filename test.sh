@@ -47,6 +47,6 @@ printf '%s\n' "${summary[@]}"
 if [ $failed -eq 0 ]; then
   echo "Everything passed."
 else
-  echo "Something failed; the steps after it were left out."
+  echo "Something failed; the later steps of that build were left out."
 fi
 exit $failed

@@ -114,7 +114,6 @@ PointBlocks collect_points(vtkDataObject* input, vtkDataObject* output)
 
 std::vector<TaggedFoot> PointBlocks::tagged_feet(const InversionResult& result) const
 {
-  const bool all = !result.all_feet.empty();
   std::vector<TaggedFoot> feet;
   std::size_t next = 0; // of all_feet, which are in the order of the points
   for (const Block& block : this->blocks)
@@ -127,13 +126,18 @@ std::vector<TaggedFoot> PointBlocks::tagged_feet(const InversionResult& result) 
         feet.push_back({ foot, this->queries.col(at), at - block.first, block.flat_index });
       }
     };
-    for (vtkIdType i = block.first; !all && i < end; ++i)
+    for (vtkIdType i = block.first; i < end; ++i)
     {
-      add(result.feet[i], i);
-    }
-    for (; all && next < result.all_feet.size() && result.all_feet_point[next] < end; ++next)
-    {
-      add(result.all_feet[next], result.all_feet_point[next]);
+      const std::size_t first = next;
+      for (; next < result.all_feet.size() && result.all_feet_point[next] == i; ++next)
+      {
+        add(result.all_feet[next], i);
+      }
+      // Where all feet were not asked for, or none of a point converged: the nearest.
+      if (next == first)
+      {
+        add(result.feet[i], i);
+      }
     }
   }
   return feet;

@@ -70,9 +70,9 @@ PointInverter::Implementation::Implementation(Model model, const InversionOption
   : Faces(std::move(model))
   , Options(options)
 {
-  if (!options.fixed_direction.isZero())
+  if (!options.fixed_direction.isZero(0.0))
   {
-    this->Options.fixed_direction.normalize();
+    this->Options.fixed_direction.stableNormalize(); // whatever its length
   }
   std::size_t count = 0;
   for (const Face& face : this->Faces)
@@ -115,7 +115,20 @@ bool PointInverter::Implementation::lower(const Candidate& a, const Candidate& b
   }
   const int face_a = this->Patches[a.patch].face;
   const int face_b = this->Patches[b.patch].face;
-  return face_a != face_b ? face_a < face_b : a.patch < b.patch;
+  if (face_a != face_b)
+  {
+    return face_a < face_b;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const double u = a.foot.parameter(i);
+    const double v = b.foot.parameter(i);
+    if (std::abs(u - v) > kSameParameter * std::max(std::abs(u), std::abs(v)))
+    {
+      return u < v;
+    }
+  }
+  return a.patch < b.patch;
 }
 
 /// Nearer; at equal distance the converged one, then lower face, u, v.

@@ -258,6 +258,10 @@ private:
         foot.point = this->Geometry.jet(foot.parameter, foot.sides, 0).point;
         foot.distance = std::abs((foot.point - this->local(query.point)).dot(query.line));
         foot.converged = true;
+        // Of the geometry itself; the flattened one stands still wherever the line touches it.
+        const FootConditions<N> conditions(this->Geometry, this->Solver);
+        foot.type = conditions.classify(
+          make_frame<N>(this->Geometry, foot.point, foot.parameter, foot.sides), foot.point);
         found(this->lift(query.point, foot));
       });
   }

@@ -136,8 +136,8 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
 
     search : Global, Seeded or Local, default Global
         Where local searches start: from every piece of the geometry that may hold a nearer point,
-        from the best samples of a coarse grid, or from one start. Global, as the others can miss
-        the nearest point.
+        from the best samples of a coarse grid, or from one start. Global misses the nearest point
+        least; nothing is certified yet.
     method : Newton, GaussNewton, LevenbergMarquardt, SecondOrder, default Newton
         Step of the local solver; on curves also FirstOrder, CurvatureCircle, SecondOrder1,
         SecondOrder2, SecondOrder3. Newton converges quadratically also far from the geometry.
