@@ -242,6 +242,22 @@ double WinslowEquations::rounding(const Points& points) const
   return 4.0 * std::numeric_limits<double>::epsilon() * size * std::sqrt(sum);
 }
 
+template <class Visit>
+void WinslowEquations::for_unknowns_about(Eigen::Index point, const Visit& visit) const
+{
+  for (int neighbour = 0; neighbour < 9; ++neighbour)
+  {
+    const int di = neighbour % 3 - 1;
+    const int dj = neighbour / 3 - 1;
+    const Eigen::Index other = point + di + Eigen::Index(this->Count[0]) * dj;
+    const int column = this->Number[std::size_t(other)];
+    if (column >= 0)
+    {
+      visit(column, di, dj);
+    }
+  }
+}
+
 WinslowEquations::Matrix WinslowEquations::picard_matrix(const Points& points) const
 {
   double least = 0.0;
@@ -269,17 +285,9 @@ WinslowEquations::Matrix WinslowEquations::picard_matrix(const Points& points) c
       continue;
     }
     const Stencil s = this->stencil(points, this->Unknowns[k]);
-    for (int neighbour = 0; neighbour < 9; ++neighbour)
-    {
-      const int di = neighbour % 3 - 1;
-      const int dj = neighbour / 3 - 1;
-      const Eigen::Index point = this->Unknowns[k] + di + Eigen::Index(this->Count[0]) * dj;
-      const int column = this->Number[std::size_t(point)];
-      if (column >= 0)
-      {
-        entries.emplace_back(int(k), column, s.weight(di, dj, least));
-      }
-    }
+    this->for_unknowns_about(this->Unknowns[k],
+      [&](int column, int di, int dj)
+      { entries.emplace_back(int(k), column, s.weight(di, dj, least)); });
   }
   Matrix result(Eigen::Index(this->Unknowns.size()), Eigen::Index(this->Unknowns.size()));
   result.setFromTriplets(entries.begin(), entries.end());
@@ -314,16 +322,8 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
       continue;
     }
     const Stencil s = this->stencil(points, this->Unknowns[k]);
-    for (int neighbour = 0; neighbour < 9; ++neighbour)
+    const auto add_block = [&](int column, int di, int dj)
     {
-      const int di = neighbour % 3 - 1;
-      const int dj = neighbour / 3 - 1;
-      const Eigen::Index point = this->Unknowns[k] + di + Eigen::Index(this->Count[0]) * dj;
-      const int column = this->Number[std::size_t(point)];
-      if (column < 0)
-      {
-        continue;
-      }
       const Eigen::Matrix3d derivative = held
         ? Eigen::Matrix3d(s.weight(di, dj) * Eigen::Matrix3d::Identity())
         : s.derivative(di, dj);
@@ -340,7 +340,8 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
         entries.emplace_back(
           2 * int(k) + entry / 2, 2 * column + entry % 2, block(entry / 2, entry % 2));
       }
-    }
+    };
+    this->for_unknowns_about(this->Unknowns[k], add_block);
   }
   Matrix result(2 * Eigen::Index(this->Unknowns.size()), 2 * Eigen::Index(this->Unknowns.size()));
   result.setFromTriplets(entries.begin(), entries.end());

@@ -54,8 +54,7 @@ public:
 
   /// The derivative of `residual` by the unknowns.
   /// \param held α, β, γ and the tangents are taken as constants (Picard's matrix again, here with
-  /// the
-  ///             equations of the sides)
+  ///             the equations of the sides)
   Matrix newton_matrix(const Points& points, const Places& places, bool held = false) const;
 
 private:
@@ -63,6 +62,9 @@ private:
   Stencil stencil(const Points& points, Eigen::Index point) const;
   Eigen::Index inner_neighbour(Eigen::Index point) const;
   double side_weight() const;
+  /// Calls visit(column, di, dj) for the unknowns among a point and its eight neighbours.
+  template <class Visit>
+  void for_unknowns_about(Eigen::Index point, const Visit& visit) const;
 
   std::array<int, 2> Count;
   ControlField Control;
