@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryConversion.h"
 
+#include "FieldArrays.h"
+
 #include "footpoint/grids/boundary_error.h"
 
 #include "vtkCellArray.h"
@@ -69,6 +71,20 @@ Lines read_lines(const std::vector<vtkPolyData*>& inputs)
     first += input->GetNumberOfPoints();
   }
   return result;
+}
+
+void report_sides(const Boundary& boundary, vtkFieldData* data)
+{
+  std::array<int, 4> order;
+  std::array<int, 4> reversed;
+  for (std::size_t role = 0; role < 4; ++role)
+  {
+    order[role] = boundary.reports[role].input;
+    reversed[role] = boundary.reports[role].reversed ? 1 : 0;
+  }
+  set_numbers(data, "CornerGaps", boundary.corner_gaps);
+  set_integers(data, "EdgeOrder", order);
+  set_integers(data, "EdgeReversed", reversed);
 }
 
 } // namespace footpoint::conversion

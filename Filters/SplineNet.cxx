@@ -7,29 +7,48 @@
 
 #include "footpoint/common/errors.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 
 namespace footpoint::conversion
 {
 
-void write_net(const Surface& surface, vtkStructuredGrid* net)
+Dimensions net_dimensions(const Surface* surface)
 {
-  const KnotVector& u = surface.knots(0);
-  const KnotVector& v = surface.knots(1);
-  net->SetDimensions(u.number_of_control_points(), v.number_of_control_points(), 1);
-  net->SetPoints(make_points(surface.local_control_points().colwise() + surface.centre()));
+  return surface ? Dimensions{ { surface->knots(0).number_of_control_points(),
+                     surface->knots(1).number_of_control_points(), 1 } }
+                 : Dimensions{};
+}
+
+vtkStructuredGrid* write_net(vtkAlgorithm* algorithm, const Surface* surface,
+  const std::string& error, vtkInformationVector* outputs)
+{
+  const Dimensions dimensions = net_dimensions(surface);
+  const std::string problem = surface ? check_dimensions(outputs, dimensions) : error;
+  if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(algorithm, << problem);
+    return nullptr;
+  }
+  vtkStructuredGrid* net = vtkStructuredGrid::GetData(outputs);
+  net->SetDimensions(dimensions.data());
+  net->SetPoints(make_points(surface->local_control_points().colwise() + surface->centre()));
   vtkFieldData* data = net->GetFieldData();
+  const KnotVector& u = surface->knots(0);
+  const KnotVector& v = surface->knots(1);
   set_numbers(data, "KnotsU", u.knots());
   set_numbers(data, "KnotsV", v.knots());
   set_integers(data, "Degree", std::vector<int>{ u.degree(), v.degree() });
-  if (surface.rational())
+  if (surface->rational())
   {
-    const Eigen::VectorXd& weights = surface.weights();
+    const Eigen::VectorXd& weights = surface->weights();
     set_numbers(net->GetPointData(), "RationalWeights",
       std::vector<double>(weights.data(), weights.data() + weights.size()));
     net->GetPointData()->SetActiveRationalWeights("RationalWeights");
   }
+  return net;
 }
 
 std::vector<Curve> read_curves(const std::vector<vtkDataObject*>& data, const char* name)

@@ -4,20 +4,31 @@
 #ifndef SplineNet_h
 #define SplineNet_h
 
+#include "StructuredOutput.h"
+
 #include "footpoint/splines/curve.h"
 #include "footpoint/splines/surface.h"
 
+#include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
+class vtkInformationVector;
 class vtkStructuredGrid;
 
 namespace footpoint::conversion
 {
 
-/// Makes `net` the control net of a surface: points, field data `KnotsU`, `KnotsV`, `Degree`, and
-/// active RationalWeights where it is rational.
-void write_net(const Surface& surface, vtkStructuredGrid* net);
+/// Numbers of control points of a surface; zeros of none.
+Dimensions net_dimensions(const Surface* surface);
+
+/// Makes output 0 the control net of a surface: points, field data `KnotsU`, `KnotsV`, `Degree`,
+/// and active RationalWeights where it is rational. An error of the algorithm where there is no
+/// surface or its net is not as large as was announced. \param surface may be null \param error why
+/// it is \return the net, null after an error
+vtkStructuredGrid* write_net(vtkAlgorithm* algorithm, const Surface* surface,
+  const std::string& error, vtkInformationVector* outputs);
 
 /// All curves of data objects, composite ones included, in order; empty blocks are left out.
 /// \param name what they are called in messages, e.g. "profile"

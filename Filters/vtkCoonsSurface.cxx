@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCoonsSurface.h"
 
+#include "BoundaryConversion.h"
 #include "CachedResult.h"
-#include "FieldArrays.h"
 #include "SplineNet.h"
 #include "StructuredOutput.h"
 
@@ -66,7 +66,7 @@ NamedSurface make_surface(
     return report.reversed ? reversed(curve) : curve;
   };
   return { footpoint::coons_surface({ { side(footpoint::kBottom), side(footpoint::kRight),
-                             side(footpoint::kTop), side(footpoint::kLeft) } },
+                                      side(footpoint::kTop), side(footpoint::kLeft) } },
              tolerance),
     boundary };
 }
@@ -91,12 +91,11 @@ struct vtkCoonsSurface::Internals
       { return make_surface(read_curves(data, "curve"), self->CornerTolerance, self->Strict); });
   }
 
-  Dimensions FindDimensions() const
+  /// Null where it could not be made.
+  const footpoint::Surface* Surface() const
   {
     const NamedSurface* result = this->Result.value();
-    return result ? Dimensions{ { result->surface.knots(0).number_of_control_points(),
-                      result->surface.knots(1).number_of_control_points(), 1 } }
-                  : Dimensions{};
+    return result ? &result->surface : nullptr;
   }
 };
 
@@ -120,7 +119,7 @@ int vtkCoonsSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Internal->Update(this, update_inputs(this, 0, inputs[0]));
-  announce_dimensions(outputs, this->Internal->FindDimensions());
+  announce_dimensions(outputs, net_dimensions(this->Internal->Surface()));
   return 1;
 }
 
@@ -140,28 +139,13 @@ int vtkCoonsSurface::RequestData(
     return 1;
   }
   this->Internal->Update(this, input_data(inputs[0]));
-  const NamedSurface* result = this->Internal->Result.value();
-  const std::string problem = result
-    ? check_dimensions(outputs, this->Internal->FindDimensions())
-    : this->Internal->Result.error();
-  if (!problem.empty())
+  vtkStructuredGrid* net =
+    write_net(this, this->Internal->Surface(), this->Internal->Result.error(), outputs);
+  if (!net)
   {
-    vtkErrorMacro(<< problem);
     return 0;
   }
-
-  vtkStructuredGrid* net = vtkStructuredGrid::GetData(outputs);
-  write_net(result->surface, net);
-  std::array<int, 4> order;
-  std::array<int, 4> reversed;
-  for (std::size_t role = 0; role < 4; ++role)
-  {
-    order[role] = result->boundary.reports[role].input;
-    reversed[role] = result->boundary.reports[role].reversed ? 1 : 0;
-  }
-  set_integers(net->GetFieldData(), "EdgeOrder", order);
-  set_integers(net->GetFieldData(), "EdgeReversed", reversed);
-  set_numbers(net->GetFieldData(), "CornerGaps", result->boundary.corner_gaps);
+  report_sides(this->Internal->Result.value()->boundary, net->GetFieldData());
   return 1;
 }
 

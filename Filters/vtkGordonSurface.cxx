@@ -49,12 +49,11 @@ struct vtkGordonSurface::Internals
       });
   }
 
-  Dimensions FindDimensions() const
+  /// Null where it could not be made.
+  const footpoint::Surface* Surface() const
   {
     const footpoint::GordonResult* result = this->Result.value();
-    return result ? Dimensions{ { result->surface.knots(0).number_of_control_points(),
-                      result->surface.knots(1).number_of_control_points(), 1 } }
-                  : Dimensions{};
+    return result ? &result->surface : nullptr;
   }
 };
 
@@ -103,7 +102,7 @@ int vtkGordonSurface::RequestInformation(
 {
   this->Internal->Update(
     this, update_inputs(this, 0, inputs[0]), update_inputs(this, 1, inputs[1]));
-  announce_dimensions(outputs, this->Internal->FindDimensions());
+  announce_dimensions(outputs, net_dimensions(this->Internal->Surface()));
   return 1;
 }
 
@@ -124,20 +123,14 @@ int vtkGordonSurface::RequestData(
     return 1;
   }
   this->Internal->Update(this, input_data(inputs[0]), input_data(inputs[1]));
-  const footpoint::GordonResult* result = this->Internal->Result.value();
-  const std::string problem = result
-    ? check_dimensions(outputs, this->Internal->FindDimensions())
-    : this->Internal->Result.error();
-  if (!problem.empty())
+  vtkStructuredGrid* net =
+    write_net(this, this->Internal->Surface(), this->Internal->Result.error(), outputs);
+  if (!net)
   {
-    vtkErrorMacro(<< problem);
     return 0;
   }
-
-  vtkStructuredGrid* net = vtkStructuredGrid::GetData(outputs);
-  write_net(result->surface, net);
   vtkFieldData* data = net->GetFieldData();
-  const footpoint::NetworkReport& report = result->network;
+  const footpoint::NetworkReport& report = this->Internal->Result.value()->network;
   set_numbers(data, "ParametersU", report.parameters_u);
   set_numbers(data, "ParametersV", report.parameters_v);
   set_integers(data, "ProfileOrder", report.profile_order);
