@@ -16,6 +16,19 @@
 namespace footpoint::conversion
 {
 
+namespace
+{
+
+vtkSmartPointer<vtkIntArray> new_flags(vtkIdType cells)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName("Folded");
+  array->SetNumberOfValues(cells);
+  return array;
+}
+
+} // namespace
+
 vtkSmartPointer<vtkPoints> make_points(const Points& points)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
@@ -57,24 +70,47 @@ Grid read_grid(vtkStructuredGrid* input, const std::string& name)
   return grid;
 }
 
-vtkSmartPointer<vtkDoubleArray> make_array(const char* name,
-  const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>>& columns)
+GridView view_grid(vtkStructuredGrid* grid)
+{
+  int dimensions[3];
+  grid->GetDimensions(dimensions);
+  auto* points = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
+  return GridView({ { dimensions[0], dimensions[1] } }, points->GetPointer(0));
+}
+
+vtkSmartPointer<vtkDoubleArray> new_array(const char* name, int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(columns.rows()));
-  array->SetNumberOfTuples(columns.cols());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> make_array(const char* name,
+  const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>>& columns)
+{
+  auto array = new_array(name, static_cast<int>(columns.rows()), columns.cols());
   Eigen::Map<Eigen::MatrixXd>(array->GetPointer(0), columns.rows(), columns.cols()) = columns;
   return array;
 }
 
-template <int N>
-void attach_quality(const GridQuality<N>& quality, vtkCellData* data)
+std::int64_t attach_quality(const GridView& grid, vtkCellData* data)
+{
+  const vtkIdType cells =
+    vtkIdType(std::max(0, grid.count[0] - 1)) * std::max(0, grid.count[1] - 1);
+  auto jacobian = new_array("Jacobian", 1, cells);
+  auto folded = new_flags(cells);
+  const Folds folds = find_folds(grid, jacobian->GetPointer(0), folded->GetPointer(0));
+  data->AddArray(jacobian);
+  data->AddArray(folded);
+  return folds.count;
+}
+
+void attach_quality(const GridQuality<3>& quality, vtkCellData* data)
 {
   data->AddArray(make_array("Jacobian", quality.scaled_jacobian.transpose()));
-  vtkNew<vtkIntArray> folded;
-  folded->SetName("Folded");
-  folded->SetNumberOfValues(quality.folded.size());
+  auto folded = new_flags(quality.folded.size());
   for (Eigen::Index i = 0; i < quality.folded.size(); ++i)
   {
     folded->SetValue(i, quality.folded[i] ? 1 : 0);
@@ -82,12 +118,20 @@ void attach_quality(const GridQuality<N>& quality, vtkCellData* data)
   data->AddArray(folded);
 }
 
-template void attach_quality<2>(const GridQuality<2>& quality, vtkCellData* data);
-template void attach_quality<3>(const GridQuality<3>& quality, vtkCellData* data);
-
-void attach_normals(const Grid& grid, vtkPointData* data)
+void attach_normals(const GridView& grid, vtkPointData* data)
 {
-  data->SetNormals(make_array("Normals", point_normals(grid)));
+  auto normals = new_array("Normals", 3, grid.points.cols());
+  fill_point_normals(grid, Eigen::Map<Points>(normals->GetPointer(0), 3, grid.points.cols()));
+  data->SetNormals(normals);
+}
+
+void attach_texture_coordinates(const std::array<int, 2>& count, vtkPointData* data)
+{
+  const vtkIdType size = vtkIdType(count[0]) * count[1];
+  auto coordinates = new_array("TCoords", 2, size);
+  fill_texture_coordinates(
+    count, Eigen::Map<Eigen::Matrix2Xd>(coordinates->GetPointer(0), 2, size));
+  data->SetTCoords(coordinates);
 }
 
 int smoothing_status(const SmoothingResult& result, Smoothing method)

@@ -9,6 +9,7 @@
 #include "footpoint/grids/structured_points.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 class vtkCellData;
 class vtkDoubleArray;
@@ -28,16 +29,27 @@ vtkSmartPointer<vtkPoints> make_points(const Points& points);
 /// \throw BoundaryError (Resolution, NotFinite)
 Grid read_grid(vtkStructuredGrid* input, const std::string& name);
 
+/// A grid of dimensions nu × nv × 1 with points in double precision, where it is.
+GridView view_grid(vtkStructuredGrid* grid);
+
 /// A named array with the columns of a matrix as tuples.
 vtkSmartPointer<vtkDoubleArray> make_array(const char* name,
   const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>>& columns);
 
-/// The cell arrays `Jacobian` and `Folded`.
-template <int N>
-void attach_quality(const GridQuality<N>& quality, vtkCellData* data);
+/// A named array that is not filled yet.
+vtkSmartPointer<vtkDoubleArray> new_array(const char* name, int components, vtkIdType tuples);
 
-/// The point array `Normals`, which becomes the active normals.
-void attach_normals(const Grid& grid, vtkPointData* data);
+/// The cell arrays `Jacobian` and `Folded`, computed in their own memory.
+/// \return the number of folded cells
+std::int64_t attach_quality(const GridView& grid, vtkCellData* data);
+void attach_quality(const GridQuality<3>& quality, vtkCellData* data);
+
+/// The point array `Normals`, which becomes the active normals, computed in its own memory.
+void attach_normals(const GridView& grid, vtkPointData* data);
+
+/// The point array `TCoords`, which becomes the active texture coordinates.
+/// \param count points along each direction
+void attach_texture_coordinates(const std::array<int, 2>& count, vtkPointData* data);
 
 /// The number of `SmoothingStatus`: 0 not smoothed, 1 converged, 2 not converged, 3 rejected.
 int smoothing_status(const SmoothingResult& result, Smoothing method);

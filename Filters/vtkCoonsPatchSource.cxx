@@ -17,11 +17,11 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace footpoint::conversion;
 
@@ -47,37 +47,40 @@ static_assert(static_cast<int>(footpoint::TriangleStyle::UnionJack) == Source::U
     static_cast<int>(footpoint::kLeft) == Source::LEFT,
   "enumerations of the source and of the core must have the same numbers");
 
-/// Cells of N points as VTK has them.
-template <std::size_t N>
-vtkSmartPointer<vtkCellArray> make_cells(const std::vector<std::array<std::int64_t, N>>& cells)
+/// Cells of so many points each as VTK has them.
+/// \param for_cells calls what it is given with the point indices of one cell after the other
+template <class ForCells>
+vtkSmartPointer<vtkCellArray> make_cells(
+  vtkIdType cells, vtkIdType points_a_cell, const ForCells& for_cells)
 {
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(N * cells.size()));
+  connectivity->SetNumberOfValues(cells * points_a_cell);
   vtkIdType* next = connectivity->GetPointer(0);
-  for (const auto& cell : cells)
-  {
-    next = std::copy(cell.begin(), cell.end(), next);
-  }
+  for_cells([&](const auto& cell) { next = std::copy(cell.begin(), cell.end(), next); });
   auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->SetData(static_cast<vtkIdType>(N), connectivity);
+  result->SetData(points_a_cell, connectivity);
   return result;
 }
 
 /// The grid's points and arrays with quads or triangles; two triangles share the data of a cell.
-void fill_mesh(const footpoint::Grid& grid, vtkStructuredGrid* input, int cell_type,
-  int triangle_style, vtkPolyData* mesh)
+void fill_mesh(vtkStructuredGrid* input, int cell_type, int triangle_style, vtkPolyData* mesh)
 {
+  int dimensions[3];
+  input->GetDimensions(dimensions);
+  const std::array<int, 2> count{ { dimensions[0], dimensions[1] } };
   mesh->SetPoints(input->GetPoints());
   mesh->GetPointData()->ShallowCopy(input->GetPointData());
   mesh->GetFieldData()->ShallowCopy(input->GetFieldData());
   if (cell_type == vtkCoonsPatchSource::QUADS)
   {
-    mesh->SetPolys(make_cells(footpoint::quads(grid)));
+    mesh->SetPolys(make_cells(input->GetNumberOfCells(), 4,
+      [&](const auto& visit) { footpoint::for_quads(count, visit); }));
     mesh->GetCellData()->ShallowCopy(input->GetCellData());
     return;
   }
-  mesh->SetPolys(make_cells(
-    footpoint::triangles(grid, static_cast<footpoint::TriangleStyle>(triangle_style))));
+  const auto style = static_cast<footpoint::TriangleStyle>(triangle_style);
+  mesh->SetPolys(make_cells(2 * input->GetNumberOfCells(), 3,
+    [&](const auto& visit) { footpoint::for_triangles(count, style, visit); }));
   vtkCellData* data = mesh->GetCellData();
   data->CopyAllocate(input->GetCellData(), mesh->GetNumberOfPolys());
   for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
@@ -107,13 +110,18 @@ struct vtkCoonsPatchSource::Internals
   static footpoint::Boundary ReadBoundary(
     vtkCoonsPatchSource* self, const std::vector<vtkDataObject*>& data);
   /// Numbers of points that the boundary leads to.
-  static Dimensions FindDimensions(
-    vtkCoonsPatchSource* self, const footpoint::Boundary& boundary);
-  static footpoint::TransfiniteResult Interpolate(
-    vtkCoonsPatchSource* self, const footpoint::Boundary& boundary);
-  /// The smoothed grid, or the same one with its folds counted.
-  static footpoint::SmoothingResult Smooth(vtkCoonsPatchSource* self, footpoint::Grid grid,
-    const footpoint::GridQuality<2>& quality, bool self_crossing);
+  static Dimensions FindDimensions(vtkCoonsPatchSource* self, const footpoint::Boundary& boundary);
+  static footpoint::TransfiniteOptions Options(vtkCoonsPatchSource* self);
+  /// Dimensions, points and arc lengths of the patch, made in the arrays of the output.
+  /// \return its twist incompatibility
+  static double Interpolate(
+    vtkCoonsPatchSource* self, const footpoint::Boundary& boundary, vtkStructuredGrid* grid);
+  /// Smooths the points of the grid.
+  /// \return what came of it; its own grid is gone
+  static footpoint::SmoothingResult Smooth(vtkCoonsPatchSource* self, vtkStructuredGrid* grid);
+  /// The number of SmoothingStatus; warns where nothing was gained.
+  static int Status(vtkCoonsPatchSource* self, const footpoint::Boundary& boundary,
+    const footpoint::SmoothingResult& result);
   static void Report(const footpoint::Boundary& boundary, vtkFieldData* data);
 };
 
@@ -228,59 +236,92 @@ footpoint::Boundary vtkCoonsPatchSource::Internals::ReadBoundary(
   return assemble_boundary(lines.points, lines.ids, lines.roles, options);
 }
 
-Dimensions vtkCoonsPatchSource::Internals::FindDimensions(
-  vtkCoonsPatchSource* self, const footpoint::Boundary& boundary)
-{
-  const auto longer = [&](footpoint::Role a, footpoint::Role b)
-  { return static_cast<int>(std::max(boundary.sides[a].cols(), boundary.sides[b].cols())); };
-  Dimensions result{ { self->Resolution[0], self->Resolution[1], 1 } };
-  result[0] = result[0] == 0 ? longer(footpoint::kBottom, footpoint::kTop) : result[0];
-  result[1] = result[1] == 0 ? longer(footpoint::kLeft, footpoint::kRight) : result[1];
-  return result;
-}
-
-footpoint::TransfiniteResult vtkCoonsPatchSource::Internals::Interpolate(
-  vtkCoonsPatchSource* self, const footpoint::Boundary& boundary)
+footpoint::TransfiniteOptions vtkCoonsPatchSource::Internals::Options(vtkCoonsPatchSource* self)
 {
   footpoint::TransfiniteOptions options;
   std::copy_n(self->Resolution, 2, options.resolution.begin());
   options.parametrization = static_cast<footpoint::GridParametrization>(self->Parametrization);
   options.blend = static_cast<footpoint::Blend>(self->Blend);
-  return transfinite_grid(boundary, options, nullptr, make_execution(self, 0.0, 0.2));
+  return options;
 }
 
-footpoint::SmoothingResult vtkCoonsPatchSource::Internals::Smooth(vtkCoonsPatchSource* self,
-  footpoint::Grid grid, const footpoint::GridQuality<2>& quality, bool self_crossing)
+Dimensions vtkCoonsPatchSource::Internals::FindDimensions(
+  vtkCoonsPatchSource* self, const footpoint::Boundary& boundary)
 {
-  if (self->Smoothing == NONE || self_crossing)
+  const std::array<int, 2> count = transfinite_resolution(boundary, Options(self));
+  return { { count[0], count[1], 1 } };
+}
+
+double vtkCoonsPatchSource::Internals::Interpolate(
+  vtkCoonsPatchSource* self, const footpoint::Boundary& boundary, vtkStructuredGrid* grid)
+{
+  const footpoint::TransfiniteOptions options = Options(self);
+  const Dimensions dimensions = FindDimensions(self, boundary);
+  const vtkIdType size = vtkIdType(dimensions[0]) * dimensions[1];
+  grid->SetDimensions(dimensions.data());
+  footpoint::TransfiniteOutput output;
+  auto positions = new_array("Points", 3, size);
+  output.points = positions->GetPointer(0);
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  grid->SetPoints(points);
+  if (has_arc_lengths(options))
   {
-    footpoint::SmoothingResult result;
-    result.grid = std::move(grid);
-    result.folds_before = quality.folded_count;
-    result.folds_after = quality.folded_count;
-    return result;
+    auto lengths_u = new_array("ArcLengthU", 1, size);
+    auto lengths_v = new_array("ArcLengthV", 1, size);
+    output.arc_length_u = lengths_u->GetPointer(0);
+    output.arc_length_v = lengths_v->GetPointer(0);
+    grid->GetPointData()->AddArray(lengths_u);
+    grid->GetPointData()->AddArray(lengths_v);
   }
+  return fill_transfinite(boundary, options, output, nullptr, make_execution(self, 0.0, 0.2));
+}
+
+footpoint::SmoothingResult vtkCoonsPatchSource::Internals::Smooth(
+  vtkCoonsPatchSource* self, vtkStructuredGrid* grid)
+{
   footpoint::SmoothingOptions options;
   options.method = static_cast<footpoint::Smoothing>(self->Smoothing);
   options.maximum_iterations = self->MaximumSmoothingIterations;
-  return smooth(grid, options, make_execution(self, 0.2, 0.8));
+  const footpoint::GridView view = view_grid(grid);
+  footpoint::Grid start;
+  start.count = view.count;
+  start.points = view.points;
+  footpoint::SmoothingResult result = smooth(start, options, make_execution(self, 0.2, 0.8));
+  if (result.changed && !result.cancelled)
+  {
+    grid->SetPoints(make_points(result.grid.points));
+  }
+  result.grid = footpoint::Grid();
+  return result;
 }
 
-void vtkCoonsPatchSource::Internals::Report(
-  const footpoint::Boundary& boundary, vtkFieldData* data)
+void vtkCoonsPatchSource::Internals::Report(const footpoint::Boundary& boundary, vtkFieldData* data)
 {
-  std::array<int, 4> order;
-  std::array<int, 4> reversed;
-  for (std::size_t role = 0; role < 4; ++role)
-  {
-    order[role] = boundary.reports[role].input;
-    reversed[role] = boundary.reports[role].reversed ? 1 : 0;
-  }
-  set_numbers(data, "CornerGaps", boundary.corner_gaps);
-  set_integers(data, "EdgeOrder", order);
-  set_integers(data, "EdgeReversed", reversed);
+  report_sides(boundary, data);
   set_integer(data, "SelfCrossing", boundary.self_crossing ? 1 : 0);
   set_integer(data, "GuessedCorners", boundary.guessed_corners);
+}
+
+int vtkCoonsPatchSource::Internals::Status(vtkCoonsPatchSource* self,
+  const footpoint::Boundary& boundary, const footpoint::SmoothingResult& result)
+{
+  const auto method = static_cast<footpoint::Smoothing>(self->Smoothing);
+  const int status = boundary.self_crossing && self->Smoothing != NONE
+    ? static_cast<int>(REJECTED)
+    : smoothing_status(result, method);
+  if (boundary.self_crossing)
+  {
+    vtkWarningWithObjectMacro(self,
+      "The sides of the boundary cross each other: no grid between them is free of folds, and "
+      "nothing is smoothed.");
+  }
+  else if (status == REJECTED)
+  {
+    vtkWarningWithObjectMacro(self, << self->GetSmoothingAsString() << " smoothing was no gain: "
+                                    << result.folds_after << " folded cells are left.");
+  }
+  return status;
 }
 
 int vtkCoonsPatchSource::RequestData(
@@ -304,59 +345,46 @@ int vtkCoonsPatchSource::RequestData(
     }
 
     // === Compute
-    footpoint::TransfiniteResult patch = Internals::Interpolate(this, boundary);
-    footpoint::GridQuality<2> quality = grid_quality(patch.grid);
-    const footpoint::SmoothingResult result =
-      Internals::Smooth(this, std::move(patch.grid), quality, boundary.self_crossing);
+    vtkStructuredGrid* grid = vtkStructuredGrid::GetData(outputs, 0);
+    const double twist_incompatibility = Internals::Interpolate(this, boundary, grid);
+    const bool smoothed = this->Smoothing != NONE && !boundary.self_crossing;
+    footpoint::SmoothingResult result;
+    if (smoothed)
+    {
+      result = Internals::Smooth(this, grid);
+    }
     if (result.cancelled || this->GetAbortExecute())
     {
       clear_outputs(outputs);
       return 1;
     }
-    const auto method = static_cast<footpoint::Smoothing>(this->Smoothing);
-    const int status = boundary.self_crossing && this->Smoothing != NONE
-      ? static_cast<int>(REJECTED)
-      : smoothing_status(result, method);
-    if (boundary.self_crossing)
-    {
-      vtkWarningMacro("The sides of the boundary cross each other: no grid between them is free of "
-                      "folds, and nothing is smoothed.");
-    }
-    else if (status == REJECTED)
-    {
-      vtkWarningMacro(<< this->GetSmoothingAsString() << " smoothing was no gain: "
-                      << result.folds_after << " folded cells are left.");
-    }
 
     // === Attach
-    vtkStructuredGrid* grid = vtkStructuredGrid::GetData(outputs, 0);
-    grid->SetDimensions(result.grid.count[0], result.grid.count[1], 1);
-    grid->SetPoints(make_points(result.grid.points));
     vtkPointData* points = grid->GetPointData();
+    const footpoint::GridView view = view_grid(grid);
     if (this->GenerateNormals)
     {
-      attach_normals(result.grid, points);
+      attach_normals(view, points);
     }
     if (this->GenerateTextureCoordinates)
     {
-      points->SetTCoords(make_array("TCoords", texture_coordinates(result.grid)));
+      attach_texture_coordinates(view.count, points);
     }
-    if (patch.arc_length_u.size() > 0)
+    const std::int64_t folds = attach_quality(view, grid->GetCellData());
+    if (!smoothed)
     {
-      points->AddArray(make_array("ArcLengthU", patch.arc_length_u.transpose()));
-      points->AddArray(make_array("ArcLengthV", patch.arc_length_v.transpose()));
+      result.folds_before = folds;
+      result.folds_after = folds;
     }
-    attach_quality(
-      result.changed ? grid_quality(result.grid) : std::move(quality), grid->GetCellData());
+    const int status = Internals::Status(this, boundary, result);
     vtkFieldData* data = grid->GetFieldData();
     Internals::Report(boundary, data);
     attach_folds(result, status, data);
     if (this->Blend == BICUBIC)
     {
-      set_number(data, "TwistIncompatibility", patch.twist_incompatibility);
+      set_number(data, "TwistIncompatibility", twist_incompatibility);
     }
-    fill_mesh(result.grid, grid, this->CellType, this->TriangleStyle,
-      vtkPolyData::GetData(outputs, 1));
+    fill_mesh(grid, this->CellType, this->TriangleStyle, vtkPolyData::GetData(outputs, 1));
   }
   catch (const footpoint::BoundaryError& error)
   {

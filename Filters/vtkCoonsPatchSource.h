@@ -16,8 +16,8 @@
  * - two or more than four lines, in any order and direction, such as vtkFeatureEdges makes: they
  *   are chained, to a loop or to three or four sides.
  *
- * A cell array `BoundaryRole` (int; 0 bottom, 1 right, 2 top, 3 left, −1 any) says which of three or
- * four lines is which side.
+ * A cell array `BoundaryRole` (int; 0 bottom, 1 right, 2 top, 3 left, −1 any) says which of three
+ * or four lines is which side.
  *
  * **Output port 0**: vtkStructuredGrid with dimensions Resolution × 1. **Output port 1**: the same
  * points as vtkPolyData of quads or triangles, with the same arrays.
@@ -30,19 +30,24 @@
  * | `Jacobian`            | cells  | double    | scaled Jacobian, minimum over the corners      |
  * | `Folded`              | cells  | int       | 1 where a corner's Jacobian is negative        |
  *
- * | field data            | type      | meaning                                                  |
- * |-----------------------|-----------|----------------------------------------------------------|
- * | `CornerGaps`          | double, 4 values | how far apart the sides' ends were: C00, C10, C11, C01 |
- * | `EdgeOrder`           | int, 4    | by role: the line it came from, −1 for a collapsed side  |
- * | `EdgeReversed`        | int, 4    | by role: 1 where its points were taken backwards         |
- * | `SelfCrossing`        | int       | 1 where sides cross each other; then nothing is smoothed |
- * | `GuessedCorners`      | int       | of a loop: corners that no angle marked                  |
+ * | field data             | type      | meaning                                                 |
+ * |------------------------|-----------|---------------------------------------------------------|
+ * | `CornerGaps`           | double, 4 | how far apart the sides' ends were: C00, C10, C11, C01  |
+ * | `EdgeOrder`            | int, 4    | by role: the line it came from, −1 for a collapsed side |
+ * | `EdgeReversed`         | int, 4    | by role: 1 where its points were taken backwards        |
+ * | `SelfCrossing`         | int       | 1 where sides cross each other; nothing is smoothed then |
+ * | `GuessedCorners`       | int       | of a loop: corners that no angle marked                 |
  * | `FoldedCellsBefore`, `FoldedCellsAfter` | vtkIdType | smoothing                            |
- * | `SmoothingStatus`     | int       | see SmoothingStatusEnum                                  |
- * | `TwistIncompatibility` | double   | BICUBIC alone: Gregory's measure, 0 compatible           |
+ * | `SmoothingStatus`      | int       | see SmoothingStatusEnum                                 |
+ * | `TwistIncompatibility` | double    | BICUBIC alone: Gregory's measure, 0 compatible          |
  *
  * There are no sub-extents, as smoothing is global: piece 0 gets everything, others nothing. A bad
  * boundary is an error that names the sides and says how far; the outputs are empty.
+ *
+ * Memory besides the outputs is that of a few rows: interpolation, normals, texture coordinates and
+ * quality are computed in the arrays of the output. Two things need more, in proportion to the
+ * grid: smoothing, and the quality of a grid in space some of whose neighbouring cells face
+ * opposite ways or have no area.
  *
  * @sa
  * vtkCoonsSurface vtkGordonSurface vtkTransfiniteVolume vtkStructuredGridSmoother

@@ -138,7 +138,7 @@ int vtkStructuredGridSmoother::RequestData(
         output->GetPointData()->GetNormals()->SetName(name.c_str());
       }
     }
-    attach_quality(grid_quality(result.grid), output->GetCellData());
+    attach_quality(result.grid, output->GetCellData());
     attach_folds(result, status, output->GetFieldData());
     set_integer(output->GetFieldData(), "SmoothingIterations", result.iterations);
     set_number(output->GetFieldData(), "SmoothingResidual", result.residual);

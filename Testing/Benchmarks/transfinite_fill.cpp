@@ -4,7 +4,8 @@
 /// turns: into fresh memory (each run maps its pages anew) and into memory that was written before.
 /// Prints medians in seconds and the ratios zeros / patch. Usage: transfinite_fill [points a side]
 
-#include "footpoint/grids/transfinite.h"
+#include "footpoint/grids/boundary.h"
+#include "footpoint/grids/transfinite_kernel.h"
 
 #include <algorithm>
 #include <chrono>

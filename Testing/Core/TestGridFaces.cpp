@@ -26,6 +26,21 @@ Grid grid_of(const std::function<Vector3(double, double)>& map, int nu, int nv)
 using Quad = std::array<std::int64_t, 4>;
 using Triangle = std::array<std::int64_t, 3>;
 
+std::vector<Quad> quads(const Grid& grid)
+{
+  std::vector<Quad> result;
+  footpoint::for_quads(grid.count, [&](const Quad& quad) { result.push_back(quad); });
+  return result;
+}
+
+std::vector<Triangle> triangles(const Grid& grid, TriangleStyle style)
+{
+  std::vector<Triangle> result;
+  footpoint::for_triangles(
+    grid.count, style, [&](const Triangle& triangle) { result.push_back(triangle); });
+  return result;
+}
+
 } // namespace
 
 TEST(GridFaces, ConnectivityAsTheGuideListsIt)
@@ -34,19 +49,19 @@ TEST(GridFaces, ConnectivityAsTheGuideListsIt)
   // 3 4 5
   // 0 1 2
   const Grid grid = grid_of([](double s, double t) { return Vector3(s, t, 0); }, 3, 3);
-  EXPECT_EQ(footpoint::quads(grid),
+  EXPECT_EQ(quads(grid),
     (std::vector<Quad>{ { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 3, 4, 7, 6 }, { 4, 5, 8, 7 } }));
-  EXPECT_EQ(footpoint::triangles(grid, TriangleStyle::AlignLeft),
+  EXPECT_EQ(triangles(grid, TriangleStyle::AlignLeft),
     (std::vector<Triangle>{ { 0, 1, 3 }, { 1, 4, 3 }, { 1, 2, 4 }, { 2, 5, 4 }, { 3, 4, 6 },
       { 4, 7, 6 }, { 4, 5, 7 }, { 5, 8, 7 } }));
-  EXPECT_EQ(footpoint::triangles(grid, TriangleStyle::AlignRight),
+  EXPECT_EQ(triangles(grid, TriangleStyle::AlignRight),
     (std::vector<Triangle>{ { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 }, { 3, 4, 7 },
       { 3, 7, 6 }, { 4, 5, 8 }, { 4, 8, 7 } }));
-  EXPECT_EQ(footpoint::triangles(grid, TriangleStyle::UnionJack),
+  EXPECT_EQ(triangles(grid, TriangleStyle::UnionJack),
     (std::vector<Triangle>{ { 0, 1, 3 }, { 1, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 }, { 3, 4, 7 },
       { 3, 7, 6 }, { 4, 5, 7 }, { 5, 8, 7 } }));
-  const auto coordinates =
-    footpoint::texture_coordinates(grid_of([](double, double) { return Vector3(); }, 3, 5));
+  Eigen::Matrix2Xd coordinates(2, 15);
+  footpoint::fill_texture_coordinates({ { 3, 5 } }, coordinates);
   EXPECT_TRUE(coordinates.col(0) == Eigen::Vector2d(0, 0));
   EXPECT_TRUE(coordinates.col(4) == Eigen::Vector2d(0.5, 0.25));
   EXPECT_TRUE(coordinates.col(14) == Eigen::Vector2d(1, 1));

@@ -7,10 +7,13 @@
 
 #include <limits>
 
+using footpoint::find_folds;
 using footpoint::fit_plane;
+using footpoint::Folds;
 using footpoint::Grid;
 using footpoint::grid_quality;
 using footpoint::GridQuality;
+using footpoint::GridView;
 using footpoint::Plane;
 using footpoint::Points;
 using footpoint::reference_normals;
@@ -223,6 +226,73 @@ TEST(GridQuality, volume_of_a_trilinear_cell)
   }
   EXPECT_NEAR(grid_quality(grid).measure(0), 7.0 / 3.0, 1e-14);
   EXPECT_NEAR(grid_quality(grid).scaled_jacobian(0), std::sqrt(1.0 / 3.0), 1e-14);
+}
+
+TEST(GridQuality, folds_alone_are_those_of_the_quality)
+{
+  const Grid swan = grid_shapes::transfinite(grid_shapes::swan(), 41, 31);
+  for (const Grid& grid : { swan, mapped(swan, grid_shapes::rolled), mapped(swan, on_sphere),
+         grid_shapes::transfinite(grid_shapes::disk(), 7, 5) })
+  {
+    const GridQuality<2> quality = grid_quality(grid);
+    Eigen::VectorXd jacobian(quality.measure.size());
+    Eigen::VectorXi folded(quality.measure.size());
+    const Folds folds =
+      find_folds(GridView(grid.count, grid.points.data()), jacobian.data(), folded.data());
+    EXPECT_EQ(folds.count, quality.folded_count);
+    EXPECT_EQ(folds.minimum_scaled_jacobian, quality.minimum_scaled_jacobian);
+    EXPECT_TRUE(jacobian == quality.scaled_jacobian);
+    EXPECT_TRUE(((folded.array() != 0) == quality.folded).all());
+    EXPECT_EQ(find_folds(grid).count, folds.count);
+  }
+  EXPECT_EQ(find_folds(Grid()).count, 0);
+}
+
+// On a smooth grid the cells' directions are taken row by row, with one fold they go through the
+// tree: away from the fold both are the same, bit for bit.
+TEST(GridQuality, a_fold_changes_normals_only_about_it)
+{
+  const auto cap = [](const Vector3& p) -> Vector3 {
+    return { p(0), p(1), 1 - 0.7 * p(0) * p(0) - 0.4 * p(1) * p(1) };
+  };
+  const Grid smooth = mapped(grid_shapes::transfinite(grid_shapes::half_annulus(), 31, 23), cap);
+  Grid folded = smooth;
+  folded.points.col(folded.index(20, 15)) =
+    2.5 * smooth.points.col(folded.index(19, 15)) - 1.5 * smooth.points.col(folded.index(20, 15));
+  ASSERT_EQ(find_folds(smooth).count, 0);
+  ASSERT_GT(find_folds(folded).count, 0);
+  const Points expected = reference_normals(smooth);
+  const Points normals = reference_normals(folded);
+  for (int j = 0; j < 22; ++j)
+  {
+    for (int i = 0; i < 30; ++i)
+    {
+      const int cell = i + 30 * j;
+      ASSERT_GT(normals.col(cell).dot(expected.col(cell)), 0.5) << i << ' ' << j;
+      if (i < 18 || i > 21 || j < 13 || j > 16)
+      {
+        ASSERT_TRUE(normals.col(cell) == expected.col(cell)) << i << ' ' << j;
+      }
+    }
+  }
+}
+
+// More points than are taken at a time, and one of them off the plane, in each place.
+TEST(GridQuality, planes_are_found_among_many_points)
+{
+  const Eigen::Quaterniond turn =
+    Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), Vector3(1, 2, 3));
+  const Grid flat = mapped(grid_shapes::transfinite(grid_shapes::swan(), 61, 61),
+    [&](const Vector3& p) -> Vector3 { return turn * p; });
+  const Plane plane = fit_plane(flat.points);
+  ASSERT_TRUE(plane.planar);
+  EXPECT_NEAR(std::abs(plane.normal.dot(Vector3(1, 2, 3).normalized())), 1.0, 1e-14);
+  for (const int place : { 0, 1023, 1024, 2048, 3720 })
+  {
+    Points points = flat.points;
+    points.col(place) += 1e-6 * plane.normal;
+    EXPECT_FALSE(fit_plane(points).planar) << place;
+  }
 }
 
 TEST(GridQuality, planes_are_found)

@@ -2,6 +2,7 @@
 #include "Boundaries.h"
 
 #include "footpoint/grids/transfinite.h"
+#include "footpoint/grids/transfinite_kernel.h"
 #include "footpoint/splines/curve.h"
 
 #include <memory>

@@ -13,7 +13,7 @@ namespace footpoint
 /// Corners of cell (i, j) about its perimeter: (i, j), (i+1, j), (i+1, j+1), (i, j+1).
 using QuadCorners = std::array<Vector3, 4>;
 
-inline QuadCorners quad_corners(const Grid& grid, int i, int j)
+inline QuadCorners quad_corners(const GridView& grid, int i, int j)
 {
   return { { grid.points.col(grid.index(i, j)), grid.points.col(grid.index(i + 1, j)),
     grid.points.col(grid.index(i + 1, j + 1)), grid.points.col(grid.index(i, j + 1)) } };
@@ -24,7 +24,7 @@ constexpr double kStraightCorner = 1e-12;
 
 /// Uncertainty of a coordinate: half a unit in the last place of the largest one, and of its
 /// difference.
-inline double coordinate_noise(const Points& points)
+inline double coordinate_noise(const Eigen::Ref<const Points>& points)
 {
   return points.size() == 0 ? 0.0
                             : std::numeric_limits<double>::epsilon() * points.cwiseAbs().maxCoeff();

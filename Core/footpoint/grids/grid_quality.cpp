@@ -2,6 +2,7 @@
 #include "footpoint/grids/grid_quality.h"
 
 #include "footpoint/grids/cell_shape.h"
+#include "footpoint/grids/reference_normals.h"
 
 #include <Eigen/LU>
 
@@ -24,12 +25,16 @@ GridQuality<N> empty_quality(Eigen::Index cells)
   return result;
 }
 
+/// A collapsed corner counts as 0.
+double worst_corner(const CornerQuality& corners)
+{
+  return corners.collapsed ? std::min(0.0, corners.scaled_jacobian) : corners.scaled_jacobian;
+}
+
 template <int N>
 void record_corners(GridQuality<N>& result, Eigen::Index cell, const CornerQuality& corners)
 {
-  const double worst =
-    corners.collapsed ? std::min(0.0, corners.scaled_jacobian) : corners.scaled_jacobian;
-  result.scaled_jacobian(cell) = worst;
+  result.scaled_jacobian(cell) = worst_corner(corners);
   result.folded(cell) = corners.folded;
   result.folded_count += corners.folded ? 1 : 0;
   result.minimum_scaled_jacobian =
@@ -151,25 +156,58 @@ double hex_volume(const HexCorners& p)
 
 } // namespace
 
-GridQuality<2> grid_quality(const Grid& grid)
+GridQuality<2> grid_quality(const GridView& grid)
 {
-  const Points normals = reference_normals(grid);
-  GridQuality<2> result = empty_quality<2>(normals.cols());
+  const int across = std::max(0, grid.count[0] - 1);
+  GridQuality<2> result = empty_quality<2>(Eigen::Index(across) * std::max(0, grid.count[1] - 1));
   const double noise = coordinate_noise(grid.points);
-  for (Eigen::Index cell = 0; cell < normals.cols(); ++cell)
-  {
-    const int across = grid.count[0] - 1;
-    const QuadCorners p = quad_corners(grid, int(cell % across), int(cell / across));
-    record_corners(result, cell, corner_quality(p, normals.col(cell), noise));
-    result.measure(cell) = quad_area(p, normals.col(cell));
-    result.skew(cell) = largest_cosine({ p[1] - p[0] + p[2] - p[3], p[2] - p[1] + p[3] - p[0] });
-    EdgeRange edges;
-    for (int k = 0; k < 4; ++k)
+  for_reference_normals(grid,
+    [&](int j, const Points& normals)
     {
-      edges.add((p[(k + 1) % 4] - p[k]).norm());
-    }
-    result.aspect_ratio(cell) = edges.ratio();
-  }
+      for (int i = 0; i < across; ++i)
+      {
+        const Eigen::Index cell = i + Eigen::Index(across) * j;
+        const QuadCorners p = quad_corners(grid, i, j);
+        record_corners(result, cell, corner_quality(p, normals.col(i), noise));
+        result.measure(cell) = quad_area(p, normals.col(i));
+        result.skew(cell) =
+          largest_cosine({ p[1] - p[0] + p[2] - p[3], p[2] - p[1] + p[3] - p[0] });
+        EdgeRange edges;
+        for (int k = 0; k < 4; ++k)
+        {
+          edges.add((p[(k + 1) % 4] - p[k]).norm());
+        }
+        result.aspect_ratio(cell) = edges.ratio();
+      }
+    });
+  return result;
+}
+
+Folds find_folds(const GridView& grid, double* scaled_jacobian, int* folded)
+{
+  Folds result;
+  const double noise = coordinate_noise(grid.points);
+  for_reference_normals(grid,
+    [&](int j, const Points& normals)
+    {
+      for (int i = 0; i + 1 < grid.count[0]; ++i)
+      {
+        const CornerQuality corners =
+          corner_quality(quad_corners(grid, i, j), normals.col(i), noise);
+        const std::ptrdiff_t cell = i + std::ptrdiff_t(grid.count[0] - 1) * j;
+        if (scaled_jacobian)
+        {
+          scaled_jacobian[cell] = worst_corner(corners);
+        }
+        if (folded)
+        {
+          folded[cell] = corners.folded ? 1 : 0;
+        }
+        result.count += corners.folded ? 1 : 0;
+        result.minimum_scaled_jacobian =
+          std::min(result.minimum_scaled_jacobian, corners.scaled_jacobian);
+      }
+    });
   return result;
 }
 

@@ -29,7 +29,19 @@ struct GridQuality
 /// \param grid in the plane or in space: signs are taken against `reference_normals`, so that
 /// curved grids
 ///             do not count as folded. Fewer than two points along a direction: no cells.
-GridQuality<2> grid_quality(const Grid& grid);
+GridQuality<2> grid_quality(const GridView& grid);
+
+/// What `grid_quality` says of folds alone, in memory of the caller's.
+struct Folds
+{
+  std::int64_t count = 0;
+  double minimum_scaled_jacobian = 1.0;
+};
+/// Memory besides the caller's is that of a few rows; in space, where normals of neighbouring cells
+/// disagree or a cell has no area, the tree of `reference_normals` takes some tens of bytes a cell.
+/// \param scaled_jacobian receives one number a cell, i fastest; null: not wanted
+/// \param folded          receives 1 or 0 a cell; null: not wanted
+Folds find_folds(const GridView& grid, double* scaled_jacobian = nullptr, int* folded = nullptr);
 
 /// One unit normal a cell, i fastest, that folds do not turn over: on a planar grid the plane's,
 /// oriented by the boundary's sense; in space the mean over the cell and its neighbours, after the
@@ -37,7 +49,7 @@ GridQuality<2> grid_quality(const Grid& grid);
 /// neighbours (H. Hoppe et al., "Surface reconstruction from unorganized points", 1992), the
 /// whole oriented by the boundary's sense. \bug A crease of more than 90° between neighbouring
 /// cells cannot be told from a fold.
-Points reference_normals(const Grid& grid);
+Points reference_normals(const GridView& grid);
 
 /// Hexahedra by corner determinants; a grid that is left-handed throughout shows as folded
 /// everywhere.
@@ -49,6 +61,6 @@ struct Plane
   bool planar = false;
   Vector3 normal = Vector3::UnitZ();
 };
-Plane fit_plane(const Points& points);
+Plane fit_plane(const Eigen::Ref<const Points>& points);
 
 } // namespace footpoint

@@ -126,7 +126,7 @@ SmoothingResult laplacian_smoothing(
   Eigen::VectorXd at = sides.start();
   const double size = (grid.points.rowwise().maxCoeff() - grid.points.rowwise().minCoeff()).norm();
   GuardedMoves moves(grid);
-  std::int64_t folds = grid_quality(grid).folded_count;
+  std::int64_t folds = find_folds(grid).count;
   while (!result.converged && result.iterations < options.maximum_iterations)
   {
     if (!execution.proceed(result.iterations / double(options.maximum_iterations)))
@@ -144,7 +144,7 @@ SmoothingResult laplacian_smoothing(
     {
       // In space the normals move with the points: the guard holds for those at the sweep's start
       // only.
-      const std::int64_t now = grid_quality(moves.grid()).folded_count;
+      const std::int64_t now = find_folds(moves.grid()).count;
       if (now > folds)
       {
         break;

@@ -3,6 +3,7 @@
 
 #include "footpoint/grids/boundary_checks.h"
 #include "footpoint/grids/polyline.h"
+#include "footpoint/grids/transfinite_kernel.h"
 
 namespace footpoint
 {

@@ -25,7 +25,7 @@ SmoothingResult unchanged(const Grid& grid, std::int64_t folds)
 SmoothingResult smooth(
   const Grid& grid, const SmoothingOptions& options, const Execution& execution)
 {
-  const std::int64_t folds = grid_quality(grid).folded_count;
+  const std::int64_t folds = find_folds(grid).count;
   const bool automatic = options.method == Smoothing::Auto;
   if (options.method == Smoothing::None || (automatic && folds == 0) || !grid.points.allFinite())
   {
@@ -37,12 +37,12 @@ SmoothingResult smooth(
     ? laplacian_smoothing(grid, options, execution)
     : winslow_smoothing(grid, options, execution);
   result.folds_before = folds;
-  result.folds_after = grid_quality(result.grid).folded_count;
+  result.folds_after = find_folds(result.grid).count;
   if (automatic && !result.cancelled && result.folds_after > 0)
   {
     // Where sides turn within a cell, differences do not see it, and the solution may fold there.
     result.grid = untangled(result.grid);
-    result.folds_after = grid_quality(result.grid).folded_count;
+    result.folds_after = find_folds(result.grid).count;
   }
   if (result.cancelled || (automatic && result.folds_after >= folds))
   {

@@ -3,6 +3,7 @@
 
 #include "footpoint/grids/bicubic.h"
 #include "footpoint/grids/polyline.h"
+#include "footpoint/grids/transfinite_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,86 +93,105 @@ Vector3 bilinear_point(
   return bottom.col(i) + ((base + t * (top.col(i) - bottom.col(i))) + s * (end - base));
 }
 
-void copy_border(const std::array<Points, 4>& sides, Grid& grid)
+/// \param points nu·nv columns
+void copy_border(const std::array<Points, 4>& sides, Eigen::Ref<Points> points)
 {
-  for (int j = 0; j < grid.count[1]; ++j)
+  const Eigen::Index nu = sides[kBottom].cols();
+  for (Eigen::Index j = 0; j < sides[kLeft].cols(); ++j)
   {
-    grid.points.col(grid.index(0, j)) = sides[kLeft].col(j);
-    grid.points.col(grid.index(grid.count[0] - 1, j)) = sides[kRight].col(j);
+    points.col(nu * j) = sides[kLeft].col(j);
+    points.col(nu * j + nu - 1) = sides[kRight].col(j);
   }
-  for (int i = 0; i < grid.count[0]; ++i)
-  {
-    grid.points.col(grid.index(i, 0)) = sides[kBottom].col(i);
-    grid.points.col(grid.index(i, grid.count[1] - 1)) = sides[kTop].col(i);
-  }
+  points.leftCols(nu) = sides[kBottom];
+  points.rightCols(nu) = sides[kTop];
 }
 
 } // namespace
 
+bool has_arc_lengths(const TransfiniteOptions& options)
+{
+  return options.parametrization == GridParametrization::ArcLengthBlended ||
+    options.parametrization == GridParametrization::ArcLengthRecorded;
+}
+
+std::array<int, 2> transfinite_resolution(
+  const Boundary& boundary, const TransfiniteOptions& options)
+{
+  return { { resolution_along(boundary, options, 0), resolution_along(boundary, options, 1) } };
+}
+
 TransfiniteResult transfinite_grid(const Boundary& boundary, const TransfiniteOptions& options,
   const Ribbons* ribbons, const Execution& execution)
 {
-  const int nu = resolution_along(boundary, options, 0);
-  const int nv = resolution_along(boundary, options, 1);
+  TransfiniteResult result;
+  result.grid.count = transfinite_resolution(boundary, options);
+  const Eigen::Index size = Eigen::Index(result.grid.count[0]) * result.grid.count[1];
+  result.grid.points.resize(3, size);
+  if (has_arc_lengths(options))
+  {
+    result.arc_length_u.resize(size);
+    result.arc_length_v.resize(size);
+  }
+  const TransfiniteOutput output{ result.grid.points.data(), result.arc_length_u.data(),
+    result.arc_length_v.data() };
+  result.twist_incompatibility = fill_transfinite(boundary, options, output, ribbons, execution);
+  return result;
+}
+
+double fill_transfinite(const Boundary& boundary, const TransfiniteOptions& options,
+  const TransfiniteOutput& output, const Ribbons* ribbons, const Execution& execution)
+{
+  const auto [nu, nv] = transfinite_resolution(boundary, options);
   std::array<Points, 4> sides;
   for (int role = 0; role < 4; ++role)
   {
     const bool along_u = role == kBottom || role == kTop;
     sides[role] = resample(boundary.sides[role], along_u ? nu : nv, options.parametrization);
   }
-
-  TransfiniteResult result;
-  result.grid.count = { { nu, nv } };
-  result.grid.points.resize(3, Eigen::Index(nu) * nv);
-  const bool blended = options.parametrization == GridParametrization::ArcLengthBlended;
-  const bool recorded =
-    blended || options.parametrization == GridParametrization::ArcLengthRecorded;
+  const bool recorded = has_arc_lengths(options);
   if (!recorded && options.blend == Blend::Bilinear)
   {
-    transfinite_kernel(sides, result.grid.points.data(), OutputMemory::Fresh, execution);
-    return result;
+    transfinite_kernel(sides, output.points, OutputMemory::Fresh, execution);
+    return 0.0;
   }
 
   // === Parameters that vary from point to point, or cubic blending
-  BicubicBoundary bicubic;
-  if (options.blend == Blend::Bicubic)
-  {
-    bicubic = complete_ribbons(sides, ribbons);
-    result.twist_incompatibility = bicubic.twist_incompatibility;
-  }
-  std::array<Eigen::VectorXd, 4> lengths;
-  if (recorded)
-  {
-    lengths = border_arc_lengths(sides);
-    result.arc_length_u.resize(result.grid.points.cols());
-    result.arc_length_v.resize(result.grid.points.cols());
-  }
+  const bool blended = options.parametrization == GridParametrization::ArcLengthBlended;
+  const BicubicBoundary bicubic =
+    options.blend == Blend::Bicubic ? complete_ribbons(sides, ribbons) : BicubicBoundary();
+  const std::array<Eigen::VectorXd, 4> lengths =
+    recorded ? border_arc_lengths(sides) : std::array<Eigen::VectorXd, 4>();
   const Eigen::VectorXd u = even_spacing(nu);
   const Eigen::VectorXd v = even_spacing(nv);
+  Eigen::Map<Points> points(output.points, 3, Eigen::Index(nu) * nv);
+  const auto fill_row = [&, width = nu](Eigen::Index j)
+  {
+    for (Eigen::Index i = 0; i < width; ++i)
+    {
+      const Eigen::Index at = i + width * j;
+      Eigen::Vector2d parameters(u[i], v[j]);
+      if (recorded)
+      {
+        const Eigen::Vector2d arc_lengths = soni_parameters(lengths, i, j);
+        output.arc_length_u[at] = arc_lengths[0];
+        output.arc_length_v[at] = arc_lengths[1];
+        parameters = blended ? arc_lengths : parameters;
+      }
+      points.col(at) = options.blend == Blend::Bicubic
+        ? bicubic_point(bicubic, i, j, parameters[0], parameters[1])
+        : bilinear_point(sides, i, j, parameters[0], parameters[1]);
+    }
+  };
   execution.parallel_for(nv,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
+      for (std::int64_t j = begin; j < end; ++j)
       {
-        for (int i = 0; i < nu; ++i)
-        {
-          const Eigen::Index at = result.grid.index(i, j);
-          Eigen::Vector2d parameters(u[i], v[j]);
-          if (recorded)
-          {
-            const Eigen::Vector2d arc_lengths = soni_parameters(lengths, i, j);
-            result.arc_length_u[at] = arc_lengths[0];
-            result.arc_length_v[at] = arc_lengths[1];
-            parameters = blended ? arc_lengths : parameters;
-          }
-          result.grid.points.col(at) = options.blend == Blend::Bicubic
-            ? bicubic_point(bicubic, i, j, parameters[0], parameters[1])
-            : bilinear_point(sides, i, j, parameters[0], parameters[1]);
-        }
+        fill_row(j);
       }
     });
-  copy_border(sides, result.grid);
-  return result;
+  copy_border(sides, points);
+  return bicubic.twist_incompatibility;
 }
 
 std::array<Points, 4> sample_sides(

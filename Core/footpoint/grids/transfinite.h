@@ -68,22 +68,28 @@ struct TransfiniteResult
 TransfiniteResult transfinite_grid(const Boundary& boundary, const TransfiniteOptions& options = {},
   const Ribbons* ribbons = nullptr, const Execution& execution = {});
 
-/// What a kernel may know of the memory that it fills: large outputs are written past the caches
-/// into memory that has pages already, through them into memory that was only just allocated. The
-/// numbers are the same.
-enum class OutputMemory
+/// Memory of the caller that a grid is made in.
+struct TransfiniteOutput
 {
-  Fresh,  ///< allocated and never touched
-  Written ///< written to before
+  double* points = nullptr; ///< receives 3·nu·nv numbers, u fastest; never touched before
+  /// Receive nu·nv numbers each where `has_arc_lengths`; else not used.
+  double* arc_length_u = nullptr;
+  double* arc_length_v = nullptr;
 };
 
-/// The kernel: P = (1−t)B + tT + (1−s)L + sR − corners, bilinear and uniform, rows hoisted so that
-/// each coordinate costs two multiplications and three additions. The sides come out bit for bit.
-/// \param sides  bottom, right, top, left; facing ones of equal count nu, nv ≥ 2, meeting in the
-///               corners
-/// \param output receives 3·nu·nv numbers, u fastest
-void transfinite_kernel(const std::array<Points, 4>& sides, double* output,
-  OutputMemory memory = OutputMemory::Fresh, const Execution& execution = {});
+/// The same grid in memory of the caller; what is allocated besides is O(nu + nv).
+/// \return the twist incompatibility
+double fill_transfinite(const Boundary& boundary, const TransfiniteOptions& options,
+  const TransfiniteOutput& output, const Ribbons* ribbons = nullptr,
+  const Execution& execution = {});
+
+/// Points along u and v that a grid gets.
+/// \throw BoundaryError (Resolution)
+std::array<int, 2> transfinite_resolution(
+  const Boundary& boundary, const TransfiniteOptions& options);
+
+/// Whether arc lengths are recorded or used.
+bool has_arc_lengths(const TransfiniteOptions& options);
 
 /// Samples of four exact curves (each over its domain, evenly in the parameter).
 std::array<Points, 4> sample_sides(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "footpoint/grids/transfinite.h"
+#include "footpoint/grids/transfinite_kernel.h"
 
+#include "footpoint/grids/boundary.h"
 #include "footpoint/grids/polyline.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "footpoint/grids/boundary_checks.h"
 #include "footpoint/grids/polyline.h"
 #include "footpoint/grids/side_roles.h"
-#include "footpoint/grids/transfinite.h"
+#include "footpoint/grids/transfinite_kernel.h"
 
 #include <algorithm>
 
