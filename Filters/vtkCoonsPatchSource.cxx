@@ -19,9 +19,11 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
+#include <optional>
 
 using namespace footpoint::conversion;
 
@@ -109,6 +111,11 @@ struct vtkCoonsPatchSource::Internals
 {
   static footpoint::Boundary ReadBoundary(
     vtkCoonsPatchSource* self, const std::vector<vtkDataObject*>& data);
+  /// Whether the numbers of points may change over time.
+  static bool FollowsTime(vtkCoonsPatchSource* self, vtkInformationVector* input);
+  /// Numbers of points that the boundary leads to at a time; zeros where it is bad.
+  static Dimensions Measure(
+    vtkCoonsPatchSource* self, vtkInformationVector* input, std::optional<double> time);
   /// Numbers of points that the boundary leads to.
   static Dimensions FindDimensions(vtkCoonsPatchSource* self, const footpoint::Boundary& boundary);
   static footpoint::TransfiniteOptions Options(vtkCoonsPatchSource* self);
@@ -187,23 +194,36 @@ int vtkCoonsPatchSource::FillOutputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
+vtkTypeBool vtkCoonsPatchSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_TIME_DEPENDENT_INFORMATION()))
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+  if (Internals::FollowsTime(this, inputs[0]))
+  {
+    const Dimensions dimensions =
+      Internals::Measure(this, inputs[0], requested_time(request, outputs));
+    this->ResolutionChanged = renew_dimensions(outputs, dimensions) || this->ResolutionChanged;
+  }
+  return 1;
+}
+
 int vtkCoonsPatchSource::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   Dimensions dimensions{ { this->Resolution[0], this->Resolution[1], 1 } };
   if (dimensions[0] == 0 || dimensions[1] == 0)
   {
-    try
-    {
-      dimensions = Internals::FindDimensions(
-        this, Internals::ReadBoundary(this, update_inputs(this, 0, inputs[0])));
-    }
-    catch (const footpoint::BoundaryError&)
-    {
-      dimensions = Dimensions{}; // RequestData says why
-    }
+    dimensions = Internals::Measure(this, inputs[0], requested_time(request, outputs));
   }
   announce_dimensions(outputs, dimensions);
+  this->ResolutionChanged = false;
+  if (Internals::FollowsTime(this, inputs[0]))
+  {
+    announce_changing_dimensions(outputs);
+  }
   return 1;
 }
 
@@ -234,6 +254,25 @@ footpoint::Boundary vtkCoonsPatchSource::Internals::ReadBoundary(
       footpoint::BoundaryDefect::Count, "the input has no lines; a boundary is needed");
   }
   return assemble_boundary(lines.points, lines.ids, lines.roles, options);
+}
+
+bool vtkCoonsPatchSource::Internals::FollowsTime(
+  vtkCoonsPatchSource* self, vtkInformationVector* input)
+{
+  return (self->Resolution[0] == 0 || self->Resolution[1] == 0) && has_time(input);
+}
+
+Dimensions vtkCoonsPatchSource::Internals::Measure(
+  vtkCoonsPatchSource* self, vtkInformationVector* input, std::optional<double> time)
+{
+  try
+  {
+    return FindDimensions(self, ReadBoundary(self, update_inputs(self, 0, input, time)));
+  }
+  catch (const footpoint::BoundaryError&)
+  {
+    return {}; // RequestData says why
+  }
 }
 
 footpoint::TransfiniteOptions vtkCoonsPatchSource::Internals::Options(vtkCoonsPatchSource* self)
@@ -336,11 +375,14 @@ int vtkCoonsPatchSource::RequestData(
   {
     // === Convert
     const footpoint::Boundary boundary = Internals::ReadBoundary(this, input_data(inputs[0]));
-    const std::string changed =
-      check_dimensions(outputs, Internals::FindDimensions(this, boundary));
-    if (!changed.empty())
+    std::string problem = check_dimensions(outputs, Internals::FindDimensions(this, boundary));
+    if (problem.empty() && this->ResolutionChanged)
     {
-      vtkErrorMacro(<< changed);
+      problem = refuse_other_request(outputs);
+    }
+    if (!problem.empty())
+    {
+      vtkErrorMacro(<< problem);
       return 0;
     }
 

@@ -68,6 +68,12 @@ public:
   vtkTypeMacro(vtkCoonsPatchSource, vtkStructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Also takes the pass in which extents follow the time that is asked for.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs) override;
+
   /// Values of the array `BoundaryRole`.
   enum BoundaryRoleEnum
   {
@@ -129,8 +135,10 @@ public:
   ///@{
   /**
    * Numbers of points along u and v; 0: as many as the longer of the two facing sides has.
-   * 0 updates the input as soon as information is requested; a boundary whose counts change
-   * without that, over time, is an error. Default: (21, 21).
+   * 0 updates the input as soon as information is requested. Of an input with time steps the counts
+   * may change: the whole extent is that of the time that is asked for. A filter downstream that
+   * makes a structured grid and takes extents over only once, as VTK's own do, does not follow;
+   * then this is an error, with empty outputs. Default: (21, 21).
    */
   vtkSetVector2Macro(Resolution, int);
   vtkGetVector2Macro(Resolution, int);
@@ -296,6 +304,8 @@ protected:
   int Blend;
 
 private:
+  bool ResolutionChanged = false; ///< over time, since information was requested
+
   vtkCoonsPatchSource(const vtkCoonsPatchSource&) = delete;
   void operator=(const vtkCoonsPatchSource&) = delete;
 

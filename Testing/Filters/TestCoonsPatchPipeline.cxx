@@ -8,6 +8,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGridGeometryFilter.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
 
 using namespace testing;
 
@@ -49,8 +51,7 @@ void TestOwnSamples()
   source->SetResolution(0, 0);
   source->UpdateInformation();
   int extent[6];
-  source->GetOutputInformation(0)->Get(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  source->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   CHECK(extent[1] == 8 && extent[3] == 6 && extent[5] == 0);
   vtkNew<vtkStructuredGridGeometryFilter> surface;
   surface->SetInputConnection(source->GetOutputPort());
@@ -103,15 +104,16 @@ protected:
     return 1;
   }
 
-  int RequestData(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
     vtkInformation* info = outputs->GetInformationObject(0);
     const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
       ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
       : 0.0;
     const Sides sides = BordersOf(
-      [=](double u, double v) { return Point{ { (1 + time) * u, v, 0 } }; });
+      [=](double u, double v) {
+        return Point{ { (1 + time) * u, v, 0 } };
+      });
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkCellArray> lines;
@@ -138,24 +140,118 @@ void TestTime()
   source->SetInputConnection(square->GetOutputPort());
   source->SetResolution(0, 0);
   source->UpdateInformation();
-  CHECK(source->GetOutputInformation(0)->Length(
-          vtkStreamingDemandDrivenPipeline::TIME_STEPS()) == 3);
+  CHECK(
+    source->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) == 3);
   for (const double time : { 2.0, 0.0, 1.0 })
   {
     source->UpdateTimeStep(time);
-    CheckGrid(source->GetOutput(), 4, 4,
-      [=](double u, double v) { return Point{ { (1 + time) * u, v, 0 } }; }, 1e-14);
+    CheckGrid(
+      source->GetOutput(), 4, 4,
+      [=](double u, double v) {
+        return Point{ { (1 + time) * u, v, 0 } };
+      },
+      1e-14);
+  }
+}
+
+/// Numbers of points that change over time: the whole extent is that of the time asked for.
+void TestChangingCounts()
+{
+  vtkNew<GrowingSquare> square;
+  square->ChangeCounts = true;
+  vtkNew<vtkCoonsPatchSource> source;
+  source->SetInputConnection(square->GetOutputPort());
+  source->SetResolution(0, 0);
+  vtkNew<vtkStructuredGridGeometryFilter> surface;
+  surface->SetInputConnection(source->GetOutputPort());
+  for (const double time : { 0.0, 2.0, 1.0, 0.0 })
+  {
+    const int count = 4 + static_cast<int>(time);
+    surface->UpdateTimeStep(time);
+    int extent[6];
+    source->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    CHECK(extent[1] == count - 1 && extent[3] == count - 1 && extent[5] == 0);
+    CheckGrid(
+      source->GetOutput(), count, count,
+      [=](double u, double v) {
+        return Point{ { (1 + time) * u, v, 0 } };
+      },
+      1e-14);
+    CHECK(surface->GetOutput()->GetNumberOfPolys() == (count - 1) * (count - 1));
+  }
+  for (const double time : { 2.0, 0.0 })
+  {
+    const int count = 4 + static_cast<int>(time);
+    source->UpdateTimeStep(time);
+    CHECK(source->GetOutput()->GetNumberOfPoints() == count * count);
+    CHECK(source->GetMeshOutput()->GetNumberOfPolys() == (count - 1) * (count - 1));
   }
 
+  // With a resolution of its own the boundary's counts do not matter.
+  source->SetResolution(5, 3);
+  source->UpdateTimeStep(1.0);
+  CheckGrid(
+    source->GetOutput(), 5, 3,
+    [](double u, double v) {
+      return Point{ { 2 * u, v, 0 } };
+    },
+    1e-14);
+}
+
+/// A filter that takes extents over once: a grid of another size is refused, never cut, and others
+/// get theirs.
+void TestConsumerThatDoesNotFollow()
+{
+  vtkNew<GrowingSquare> square;
   square->ChangeCounts = true;
-  square->Modified();
-  source->UpdateTimeStep(0.0);
-  CHECK(source->GetOutput()->GetNumberOfPoints() == 16);
+  vtkNew<vtkCoonsPatchSource> source;
+  source->SetInputConnection(square->GetOutputPort());
+  source->SetResolution(0, 0);
+  vtkNew<vtkTransformFilter> transform;
+  vtkNew<vtkTransform> identity;
+  transform->SetTransform(identity);
+  transform->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkStructuredGridGeometryFilter> surface;
+  surface->SetInputConnection(source->GetOutputPort());
   vtkNew<MessageRecorder> recorder;
   recorder->Watch(source);
-  source->UpdateTimeStep(2.0);
-  CHECK(Contains(recorder->Errors, "the grid has 6 x 6 x 1 points now, but 4 x 4 x 1"));
-  CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+
+  const int known = 4; // points a side that the filter knows of: those of the first step
+  for (const double time : { 0.0, 2.0, 0.0, 1.0, 2.0, 1.0 })
+  {
+    const int count = 4 + static_cast<int>(time);
+    const auto text = [](int n) { return std::to_string(n) + " x " + std::to_string(n) + " x 1"; };
+    transform->UpdateTimeStep(time);
+    CHECK(recorder->Errors.empty() == (count == known));
+    if (count == known)
+    {
+      CHECK(transform->GetOutput()->GetNumberOfPoints() == count * count);
+      continue;
+    }
+    CHECK(Contains(recorder->Errors,
+      "the grid has " + text(count) + " points now, but a filter downstream asks for " +
+        text(known)));
+    CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK(source->GetMeshOutput()->GetNumberOfPoints() == 0);
+    recorder->Clear();
+    surface->UpdateTimeStep(time);
+    CHECK(recorder->Errors.empty());
+    CHECK(surface->GetOutput()->GetNumberOfPolys() == (count - 1) * (count - 1));
+  }
+
+  // Begun at a later step, where the filter is told of it: a smaller grid is refused as well.
+  transform->UpdateTimeStep(0.0);
+  surface->UpdateTimeStep(2.0);
+  transform->Modified();
+  transform->UpdateTimeStep(2.0);
+  CHECK(recorder->Errors.empty());
+  CHECK(transform->GetOutput()->GetNumberOfPoints() == 36);
+  transform->UpdateTimeStep(1.0);
+  CHECK(Contains(recorder->Errors, "5 x 5 x 1 points now, but a filter downstream asks for 6 x 6"));
+  recorder->Clear();
+  surface->UpdateTimeStep(1.0);
+  CHECK(recorder->Errors.empty());
+  CHECK(surface->GetOutput()->GetNumberOfPolys() == 16);
 }
 
 } // namespace
@@ -169,5 +265,7 @@ int TestCoonsPatchPipeline(int, char*[])
       TestOwnSamples();
       TestPieces();
       TestTime();
+      TestChangingCounts();
+      TestConsumerThatDoesNotFollow();
     });
 }
