@@ -430,6 +430,7 @@ int vtkCoonsPatchSource::RequestData(
   }
   catch (const footpoint::BoundaryError& error)
   {
+    clear_outputs(outputs);
     vtkErrorMacro(<< error.what());
     return 0;
   }
