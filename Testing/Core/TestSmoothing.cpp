@@ -2,6 +2,7 @@
 #include "footpoint/grids/smoothing.h"
 
 #include "footpoint/grids/grid_quality.h"
+#include "footpoint/grids/untangling.h"
 #include "footpoint/splines/curve.h"
 
 #include "GridShapes.h"
@@ -432,6 +433,50 @@ TEST(Smoothing, can_be_cancelled_and_reports_progress)
     EXPECT_EQ(result.grid.points, grid.points);
     EXPECT_EQ(calls, 4);
   }
+}
+
+TEST(Smoothing, untangling_can_be_cancelled_and_reports_progress)
+{
+  // The sides cross, so that untangling goes on to its last pass.
+  Domain crossed = grid_shapes::swan();
+  crossed.top = [](double s) { return Vector3(1 - s, 1, 0); };
+  crossed.left = [](double t) { return Vector3(t, t, 0); };
+  crossed.right = [](double t) { return Vector3(1 - t, t, 0); };
+  const Grid grid = transfinite(crossed, 21, 21);
+  double last = 0.0;
+  int calls = 0;
+  Execution execution;
+  execution.proceed = [&](double fraction)
+  {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1.0);
+    last = fraction;
+    ++calls;
+    return true;
+  };
+  EXPECT_FALSE(smooth(grid, {}, execution).cancelled);
+  EXPECT_GT(last, 0.95);
+  const int all = calls;
+
+  // Its share of the progress begins where that of Winslow's equations ends, at 0.8.
+  calls = 0;
+  execution.proceed = [&](double fraction)
+  {
+    ++calls;
+    return fraction < 0.85;
+  };
+  const SmoothingResult result = smooth(grid, {}, execution);
+  EXPECT_TRUE(result.cancelled);
+  EXPECT_FALSE(result.changed);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.grid.points, grid.points);
+  EXPECT_LT(calls, all);
+
+  calls = 0;
+  execution.proceed = [&](double) { return ++calls < 3; };
+  const Grid stopped = footpoint::untangled(grid, execution);
+  EXPECT_EQ(calls, 3);
+  EXPECT_LE(grid_quality(stopped).folded_count, grid_quality(grid).folded_count);
 }
 
 TEST(Smoothing, says_when_iterations_run_out)
