@@ -276,6 +276,19 @@ TEST(Smoothing, solves_large_grids_in_seconds)
   EXPECT_EQ(result.folds_after, 0);
 }
 
+TEST(Smoothing, solves_large_grids_in_space_in_few_steps)
+{
+  const Grid grid = mapped(transfinite(grid_shapes::swan(), 129, 129), lifted);
+  const auto start = std::chrono::steady_clock::now();
+  const SmoothingResult result = smooth(grid, by(Smoothing::Winslow));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  RecordProperty("seconds", std::to_string(seconds.count()));
+  EXPECT_TRUE(result.converged);
+  EXPECT_LE(result.residual, 1e-10);
+  EXPECT_LE(result.iterations, 10);
+  EXPECT_EQ(result.folds_after, 0);
+}
+
 TEST(Smoothing, does_not_depend_on_units_and_place)
 {
   const Grid grid = transfinite(grid_shapes::swan(), 21, 21);
@@ -298,21 +311,29 @@ TEST(Smoothing, does_not_depend_on_units_and_place)
 
 TEST(Smoothing, on_a_cylinder_is_the_rolled_planar_result)
 {
-  double errors[2];
-  for (int k = 0; k < 2; ++k)
+  // Second order (winslow_equations.h says why not better). The swan's solution has corners that
+  // the coarse grids do not resolve: its ratios, .44 at 41 lines and .28 at 81, come down to 1/4;
+  // the half-annulus has it at once.
+  const Domain domains[] = { grid_shapes::swan(), grid_shapes::half_annulus() };
+  const double ratios[2][2] = { { 0.45, 0.29 }, { 0.26, 0.26 } };
+  for (int domain = 0; domain < 2; ++domain)
   {
-    const int n = k == 0 ? 21 : 41;
-    const Grid swan = transfinite(grid_shapes::swan(), n, n);
-    const Grid planar = smooth(swan, by(Smoothing::Winslow)).grid;
-    const SmoothingResult result =
-      smooth(mapped(swan, grid_shapes::rolled), by(Smoothing::Winslow));
-    EXPECT_TRUE(result.converged);
-    EXPECT_EQ(result.folds_after, 0);
-    const Points difference = result.grid.points - mapped(planar, grid_shapes::rolled).points;
-    errors[k] = difference.colwise().norm().maxCoeff();
+    double before = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int n = 1 + (20 << k);
+      const Grid flat = transfinite(domains[domain], n, n);
+      const Grid planar = smooth(flat, by(Smoothing::Winslow)).grid;
+      const SmoothingResult result =
+        smooth(mapped(flat, grid_shapes::rolled), by(Smoothing::Winslow));
+      EXPECT_TRUE(result.converged);
+      EXPECT_EQ(result.folds_after, 0);
+      const Points difference = result.grid.points - mapped(planar, grid_shapes::rolled).points;
+      const double error = difference.colwise().norm().maxCoeff();
+      EXPECT_LT(error, k == 0 ? 4e-4 : ratios[domain][k - 1] * before) << domain << ", " << n;
+      before = error;
+    }
   }
-  EXPECT_LT(errors[0], 2e-3);
-  EXPECT_LT(errors[1], 0.5 * errors[0]);
 }
 
 TEST(Smoothing, stays_on_the_surface_that_the_grid_samples)
