@@ -456,6 +456,34 @@ TEST(Smoothing, can_be_cancelled_and_reports_progress)
   }
 }
 
+TEST(Smoothing, sliding_takes_tens_of_steps_in_the_plane_and_in_space)
+{
+  Domain skewed = grid_shapes::half_annulus();
+  const auto outer = skewed.top;
+  skewed.top = [=](double s) { return outer(s + 0.25 * s * (1 - s)); };
+  SmoothingOptions options = by(Smoothing::Winslow);
+  options.boundary = SmoothingBoundary::Sliding;
+  double before = 0.0;
+  for (const int n : { 25, 49 })
+  {
+    const Grid flat = transfinite(skewed, n, (n + 1) / 2);
+    const SmoothingResult plane = smooth(flat, options);
+    const SmoothingResult space = smooth(mapped(flat, grid_shapes::rolled), options);
+    for (const SmoothingResult& result : { plane, space })
+    {
+      EXPECT_TRUE(result.converged) << n;
+      EXPECT_LE(result.residual, 1e-10);
+      EXPECT_LE(result.iterations, 25) << n;
+      EXPECT_EQ(result.folds_after, 0);
+    }
+    // The rolled grid is the planar one, rolled, up to chords for arcs: second order.
+    const Points difference = space.grid.points - mapped(plane.grid, grid_shapes::rolled).points;
+    const double error = difference.colwise().norm().maxCoeff();
+    EXPECT_LT(error, n == 25 ? 6e-3 : 0.3 * before) << n;
+    before = error;
+  }
+}
+
 TEST(Smoothing, untangling_can_be_cancelled_and_reports_progress)
 {
   // The sides cross, so that untangling goes on to its last pass.

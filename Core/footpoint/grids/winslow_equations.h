@@ -21,6 +21,14 @@ struct ControlField
 /// and top, ψ = −r_η·r_ηη / r_η² on left and right, linear in between.
 ControlField thomas_middlecoff(const Grid& grid);
 
+/// Place of an unknown point. One that slides along a side steps along one direction only:
+/// `tangents` is [derivative by the arc length, 0], and `curvature` has no meaning.
+struct WinslowPlace : SurfacePlace
+{
+  Vector3 side_tangent = Vector3::Zero(); ///< τ, to which the grid line shall be orthogonal
+  Vector3 side_turn = Vector3::Zero();    ///< derivative of τ by the arc length
+};
+
 /// A. M. Winslow's equations in central differences,
 ///   R = α (r_ξξ + φ r_ξ) − 2β r_ξη + γ (r_ηη + ψ r_η),  α = r_η², β = r_ξ·r_η, γ = r_ξ²,
 /// for the grid's inner points. In space the tangential part of R: with r_ξξ, … of a grid on a
@@ -38,16 +46,15 @@ ControlField thomas_middlecoff(const Grid& grid);
 /// is of the size of its other terms. So the grid on a cylinder is the rolled planar one up to
 /// O(h²).
 ///
-/// Points of the sides that slide along a tangent τ (`SurfacePlace::tangents` is
-/// then [τ, 0]) have the equation τ·(4 r₁ − r₂ − 3 r) = 0 with the next points r₁, r₂ off the side:
-/// the grid line meets the side at a right angle, to second order. It is scaled like the others of
-/// a grid of unit size. Unknowns: two steps along the tangents per point, numbered so that
-/// elimination fills little.
+/// Points of the sides that slide have, with the tangent τ there, the equation τ·(4 r₁ − r₂ − 3 r)
+/// = 0 with the next points r₁, r₂ off the side: the grid line meets the side at a right angle, to
+/// second order. It is scaled like the others of a grid of unit size. Unknowns: two steps along the
+/// tangents per point, numbered so that elimination fills little.
 class WinslowEquations
 {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
-  using Places = std::vector<SurfacePlace>; ///< per unknown point
+  using Places = std::vector<WinslowPlace>; ///< per unknown point
 
   /// \param sliding whether the points of the sides, corners excepted, are unknowns too
   WinslowEquations(const std::array<int, 2>& count, ControlField control, bool sliding = false);
@@ -75,6 +82,7 @@ private:
   Stencil stencil(const Points& points, Eigen::Index point) const;
   Eigen::Index inner_neighbour(Eigen::Index point) const;
   double side_weight() const;
+  Vector3 side_value(const Points& points, Eigen::Index point, Eigen::Index inner) const;
 
   std::array<int, 2> Count;
   ControlField Control;
