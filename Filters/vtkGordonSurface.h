@@ -6,8 +6,12 @@
  * **Input port 0** (repeatable): the profiles, at least two. **Input port 1** (repeatable,
  * SetGuidesConnection(), AddGuidesConnection() or AddGuidesData()): the guides, at least two. Both
  * are curves, vtkStructuredGrids of control points with dimensions (n, 1, 1) and the field data
- * `KnotsU`, or composite data sets of them, in any order and direction; no weights. Every profile
- * meets every guide once.
+ * `KnotsU`, or composite data sets of them, in any order and direction. Every profile meets every
+ * guide once. Weights are allowed where all curves of a family have the same along their parameter,
+ * as the circles about a tube.
+ *
+ * Closed profiles make a surface that is closed along u. They start and end at the first given
+ * guide, or at the one that is given twice (as first and as last); closed guides likewise along v.
  *
  * **Output**: the control net, a vtkStructuredGrid with the field data `KnotsU`, `KnotsV` and
  * `Degree`; profiles run along u, guides along v, the domain is [0, 1]². Where the curves agree in
@@ -20,6 +24,10 @@
  * | `ProfileReversed`, `GuideReversed`   | int: 1 where the k-th curve was reversed              |
  * | `LargestGap`                         | between curves that should meet, model units          |
  * | `ReparametrizationError`             | largest change of a curve, model units; 0: none       |
+ *
+ * Where profiles are closed, the guide at which they start stands a second time at the end of
+ * `GuideOrder` and `GuideReversed`, with the parameter 1 in `ParametersU`; likewise for closed
+ * guides.
  *
  * A network that cannot be put in order is an error that names the curves and says how far.
  *

@@ -210,13 +210,28 @@ TEST(Segments, LoopsChainsAndForks)
   EXPECT_TRUE(chains.loops[1].col(1) == Vector3(0, 0.25, 0));
   const auto lines = lines_of(segments);
   expect_refused([&, &p = points] { assemble_boundary(p, lines); }, BoundaryDefect::Loops,
-    "2 closed loops (of 32, 16 points)");
+    "2 closed loops (32 points through point " + std::to_string(chains.loop_ids[0][0]) +
+      "; 16 points through point " + std::to_string(chains.loop_ids[1][0]) +
+      ") where one loop is expected");
 
   Points fork(3, 5);
   fork.transpose() << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 2, 0;
   const std::vector<std::vector<int>> forked{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 2, 4 } };
   expect_refused([&] { assemble_boundary(fork, forked); }, BoundaryDefect::Branch,
-    "3 segments meet at point 2 (1, 1, 0)");
+    "3 segments meet at point 2 (1, 1, 0), from points 1, 3, 4; a boundary does not fork");
+  auto crossed = forked;
+  crossed.push_back({ 0, 2 });
+  crossed.push_back({ 1, 4 });
+  expect_refused([&] { assemble_boundary(fork, crossed); }, BoundaryDefect::Branch,
+    "3 segments meet at point 0 (0, 0, 0), from points 1, 3, 2; so they do at 2 more points: 1, 2");
+  Points apart(3, 10);
+  apart << Eigen::RowVectorXd::LinSpaced(10, 0, 9), Eigen::MatrixXd::Zero(2, 10);
+  expect_refused(
+    [&] {
+      assemble_boundary(apart, { { 0, 1 }, { 2, 3 }, { 4, 5 }, { 6, 7 }, { 8, 9 } });
+    },
+    BoundaryDefect::Count,
+    "0 closed loops and 5 open chains (2 points from point 0 to 1; 2 points from point 2 to 3; ");
   expect_refused(
     [&] {
       assemble_boundary(fork, { { 0, 1 }, { 1, 2, 3, 4 } });

@@ -2,6 +2,7 @@
 #include "footpoint/grids/smoothing.h"
 
 #include "footpoint/grids/grid_quality.h"
+#include "footpoint/grids/untangling.h"
 #include "footpoint/splines/curve.h"
 
 #include "GridShapes.h"
@@ -275,6 +276,19 @@ TEST(Smoothing, solves_large_grids_in_seconds)
   EXPECT_EQ(result.folds_after, 0);
 }
 
+TEST(Smoothing, solves_large_grids_in_space_in_few_steps)
+{
+  const Grid grid = mapped(transfinite(grid_shapes::swan(), 129, 129), lifted);
+  const auto start = std::chrono::steady_clock::now();
+  const SmoothingResult result = smooth(grid, by(Smoothing::Winslow));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  RecordProperty("seconds", std::to_string(seconds.count()));
+  EXPECT_TRUE(result.converged);
+  EXPECT_LE(result.residual, 1e-10);
+  EXPECT_LE(result.iterations, 10);
+  EXPECT_EQ(result.folds_after, 0);
+}
+
 TEST(Smoothing, does_not_depend_on_units_and_place)
 {
   const Grid grid = transfinite(grid_shapes::swan(), 21, 21);
@@ -297,21 +311,29 @@ TEST(Smoothing, does_not_depend_on_units_and_place)
 
 TEST(Smoothing, on_a_cylinder_is_the_rolled_planar_result)
 {
-  double errors[2];
-  for (int k = 0; k < 2; ++k)
+  // Second order (winslow_equations.h says why not better). The swan's solution has corners that
+  // the coarse grids do not resolve: its ratios, .44 at 41 lines and .28 at 81, come down to 1/4;
+  // the half-annulus has it at once.
+  const Domain domains[] = { grid_shapes::swan(), grid_shapes::half_annulus() };
+  const double ratios[2][2] = { { 0.45, 0.29 }, { 0.26, 0.26 } };
+  for (int domain = 0; domain < 2; ++domain)
   {
-    const int n = k == 0 ? 21 : 41;
-    const Grid swan = transfinite(grid_shapes::swan(), n, n);
-    const Grid planar = smooth(swan, by(Smoothing::Winslow)).grid;
-    const SmoothingResult result =
-      smooth(mapped(swan, grid_shapes::rolled), by(Smoothing::Winslow));
-    EXPECT_TRUE(result.converged);
-    EXPECT_EQ(result.folds_after, 0);
-    const Points difference = result.grid.points - mapped(planar, grid_shapes::rolled).points;
-    errors[k] = difference.colwise().norm().maxCoeff();
+    double before = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int n = 1 + (20 << k);
+      const Grid flat = transfinite(domains[domain], n, n);
+      const Grid planar = smooth(flat, by(Smoothing::Winslow)).grid;
+      const SmoothingResult result =
+        smooth(mapped(flat, grid_shapes::rolled), by(Smoothing::Winslow));
+      EXPECT_TRUE(result.converged);
+      EXPECT_EQ(result.folds_after, 0);
+      const Points difference = result.grid.points - mapped(planar, grid_shapes::rolled).points;
+      const double error = difference.colwise().norm().maxCoeff();
+      EXPECT_LT(error, k == 0 ? 4e-4 : ratios[domain][k - 1] * before) << domain << ", " << n;
+      before = error;
+    }
   }
-  EXPECT_LT(errors[0], 2e-3);
-  EXPECT_LT(errors[1], 0.5 * errors[0]);
 }
 
 TEST(Smoothing, stays_on_the_surface_that_the_grid_samples)
@@ -432,6 +454,78 @@ TEST(Smoothing, can_be_cancelled_and_reports_progress)
     EXPECT_EQ(result.grid.points, grid.points);
     EXPECT_EQ(calls, 4);
   }
+}
+
+TEST(Smoothing, sliding_takes_tens_of_steps_in_the_plane_and_in_space)
+{
+  Domain skewed = grid_shapes::half_annulus();
+  const auto outer = skewed.top;
+  skewed.top = [=](double s) { return outer(s + 0.25 * s * (1 - s)); };
+  SmoothingOptions options = by(Smoothing::Winslow);
+  options.boundary = SmoothingBoundary::Sliding;
+  double before = 0.0;
+  for (const int n : { 25, 49 })
+  {
+    const Grid flat = transfinite(skewed, n, (n + 1) / 2);
+    const SmoothingResult plane = smooth(flat, options);
+    const SmoothingResult space = smooth(mapped(flat, grid_shapes::rolled), options);
+    for (const SmoothingResult& result : { plane, space })
+    {
+      EXPECT_TRUE(result.converged) << n;
+      EXPECT_LE(result.residual, 1e-10);
+      EXPECT_LE(result.iterations, 25) << n;
+      EXPECT_EQ(result.folds_after, 0);
+    }
+    // The rolled grid is the planar one, rolled, up to chords for arcs: second order.
+    const Points difference = space.grid.points - mapped(plane.grid, grid_shapes::rolled).points;
+    const double error = difference.colwise().norm().maxCoeff();
+    EXPECT_LT(error, n == 25 ? 6e-3 : 0.3 * before) << n;
+    before = error;
+  }
+}
+
+TEST(Smoothing, untangling_can_be_cancelled_and_reports_progress)
+{
+  // The sides cross, so that untangling goes on to its last pass.
+  Domain crossed = grid_shapes::swan();
+  crossed.top = [](double s) { return Vector3(1 - s, 1, 0); };
+  crossed.left = [](double t) { return Vector3(t, t, 0); };
+  crossed.right = [](double t) { return Vector3(1 - t, t, 0); };
+  const Grid grid = transfinite(crossed, 21, 21);
+  double last = 0.0;
+  int calls = 0;
+  Execution execution;
+  execution.proceed = [&](double fraction)
+  {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1.0);
+    last = fraction;
+    ++calls;
+    return true;
+  };
+  EXPECT_FALSE(smooth(grid, {}, execution).cancelled);
+  EXPECT_GT(last, 0.95);
+  const int all = calls;
+
+  // Its share of the progress begins where that of Winslow's equations ends, at 0.8.
+  calls = 0;
+  execution.proceed = [&](double fraction)
+  {
+    ++calls;
+    return fraction < 0.85;
+  };
+  const SmoothingResult result = smooth(grid, {}, execution);
+  EXPECT_TRUE(result.cancelled);
+  EXPECT_FALSE(result.changed);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.grid.points, grid.points);
+  EXPECT_LT(calls, all);
+
+  calls = 0;
+  execution.proceed = [&](double) { return ++calls < 3; };
+  const Grid stopped = footpoint::untangled(grid, execution);
+  EXPECT_EQ(calls, 3);
+  EXPECT_LE(grid_quality(stopped).folded_count, grid_quality(grid).folded_count);
 }
 
 TEST(Smoothing, says_when_iterations_run_out)

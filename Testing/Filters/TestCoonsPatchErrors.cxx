@@ -187,7 +187,7 @@ void TestLoops()
       }
     }
   }
-  CheckRefused(segments, { "2 closed loops (of 8, 8 points)" });
+  CheckRefused(segments, { "2 closed loops (8 points through point " });
 }
 
 /// A figure of eight: there is a grid, and it is said that sides cross.

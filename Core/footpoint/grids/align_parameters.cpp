@@ -16,11 +16,15 @@ namespace
 constexpr int kSamplesPerSpan = 12;
 constexpr int kLeastSamples = 101;
 
+/// Weights agree up to rounding of their refinement.
+constexpr double kSameWeight = 1e-12;
+
 /// A monotone piecewise cubic through (x, y) (F. N. Fritsch and R. E. Carlson 1980).
+/// \param periodic the ends have one slope
 class MonotoneCubic
 {
 public:
-  MonotoneCubic(std::vector<double> x, std::vector<double> y)
+  MonotoneCubic(std::vector<double> x, std::vector<double> y, bool periodic)
     : X(std::move(x))
     , Y(std::move(y))
     , Slope(this->X.size())
@@ -28,12 +32,12 @@ public:
     const std::size_t n = this->X.size();
     for (std::size_t k = 1; k + 1 < n; ++k)
     {
-      const double before = this->secant(k - 1);
-      const double after = this->secant(k);
-      this->Slope[k] = 2.0 * before * after / (before + after); // rising data: both are positive
+      this->Slope[k] = between(this->secant(k - 1), this->secant(k));
     }
-    this->Slope[0] = this->secant(0);
-    this->Slope[n - 1] = this->secant(n - 2);
+    const double first = this->secant(0);
+    const double last = this->secant(n - 2);
+    this->Slope[0] = periodic ? between(last, first) : first;
+    this->Slope[n - 1] = periodic ? this->Slope[0] : last;
   }
 
   double operator()(double at) const
@@ -49,6 +53,11 @@ public:
   }
 
 private:
+  /// The harmonic mean; secants of rising data are positive.
+  static double between(double before, double after)
+  {
+    return 2.0 * before * after / (before + after);
+  }
   double secant(std::size_t k) const
   {
     return (this->Y[k + 1] - this->Y[k]) / (this->X[k + 1] - this->X[k]);
@@ -60,7 +69,7 @@ private:
 };
 
 /// The curve with its parameter t replaced by change(t), refitted; the largest change of its
-/// points, seen between the samples, goes into `error`.
+/// points, seen between the samples, goes into `error`. Its weights are all 1.
 PiecewisePolynomial reparametrized(const PiecewisePolynomial& curve, const MonotoneCubic& change,
   const std::vector<double>& keep, double& error)
 {
@@ -86,10 +95,11 @@ PiecewisePolynomial reparametrized(const PiecewisePolynomial& curve, const Monot
       thinned.push_back(t);
     }
   }
-  Eigen::MatrixXd points(3, thinned.size());
+  auto at_changed = [&](double t) -> Vector3 { return curve.value(change(t)).hnormalized(); };
+  Eigen::MatrixXd points = Eigen::MatrixXd::Ones(4, thinned.size());
   for (std::size_t k = 0; k < thinned.size(); ++k)
   {
-    points.col(k) = curve.value(change(thinned[k]));
+    points.col(k).head<3>() = at_changed(thinned[k]);
   }
   const KnotVector knots = averaged_knots(thinned, 3);
   const PiecewisePolynomial result =
@@ -97,9 +107,32 @@ PiecewisePolynomial reparametrized(const PiecewisePolynomial& curve, const Monot
   for (std::size_t k = 0; k + 1 < thinned.size(); ++k)
   {
     const double middle = 0.5 * (thinned[k] + thinned[k + 1]);
-    error = std::max(error, (result.value(middle) - curve.value(change(middle))).norm());
+    error = std::max(error, (result.value(middle).head<3>() - at_changed(middle)).norm());
   }
   return result;
+}
+
+/// Brings the weights of all curves to those of the first, as functions of the parameter: a common
+/// factor is free. \return the curve whose weights are not a multiple of the first one's, 0: none
+std::size_t unite_weights(CurveFamily& family)
+{
+  const PiecewisePolynomial first = family.curves.front().rows(3, 1);
+  family.weighted = false;
+  for (std::size_t k = 0; k < family.curves.size(); ++k)
+  {
+    const PiecewisePolynomial own = family.curves[k].rows(3, 1);
+    const double factor = first.value(0.0)(0) / own.value(0.0)(0);
+    const KnotVector knots = common_knots(first, own, 1);
+    const Eigen::MatrixXd wanted = first.refined(knots.knots()).control_points(knots);
+    const Eigen::MatrixXd scaled = factor * own.refined(knots.knots()).control_points(knots);
+    if ((wanted - scaled).cwiseAbs().maxCoeff() > kSameWeight * wanted.cwiseAbs().maxCoeff())
+    {
+      return k;
+    }
+    family.curves[k] = family.curves[k].scaled(factor);
+    family.weighted = family.weighted || (scaled.array() - 1.0).abs().maxCoeff() > kSameWeight;
+  }
+  return 0;
 }
 
 } // namespace
@@ -123,14 +156,23 @@ std::vector<double> align_parameters(CurveFamily& family, const std::string& nam
     for (std::size_t j = 0; j < common.size(); ++j)
     {
       const double off =
-        (family.curves[k].value(family.meetings(k, j)) - family.curves[k].value(common[j])).norm();
+        (family.point(k, family.meetings(k, j)) - family.point(k, common[j])).norm();
       worst_curve = off > worst ? k : worst_curve;
       worst = std::max(worst, off);
     }
   }
-  if (worst <= 1e-9 * size)
+  const std::size_t other_weights = unite_weights(family);
+  if (worst <= 1e-9 * size && other_weights == 0)
   {
     return common;
+  }
+  if (!options.reparametrize && worst <= 1e-9 * size)
+  {
+    throw BoundaryError(BoundaryDefect::Branch,
+      "the weights of " + name + " " + std::to_string(other_weights) + " and " + name +
+        " 0 (in order) differ as functions of the parameter, and their Gordon surface is no "
+        "rational spline of the curves; reparametrization, which makes polynomials of them, is "
+        "off");
   }
   if (!options.reparametrize)
   {
@@ -153,8 +195,10 @@ std::vector<double> align_parameters(CurveFamily& family, const std::string& nam
     }
     from.push_back(1.0);
     to.push_back(1.0);
-    family.curves[k] = reparametrized(family.curves[k], MonotoneCubic(from, to), common, error);
+    family.curves[k] =
+      reparametrized(family.curves[k], MonotoneCubic(from, to, family.closed), common, error);
   }
+  family.weighted = false;
   if (error > options.reparametrization_tolerance * size)
   {
     throw BoundaryError(BoundaryDefect::Branch,

@@ -45,14 +45,21 @@ Boundary split_ids(
   return split_loop(points(Eigen::all, loop), in_loop);
 }
 
-std::string sizes_text(const std::vector<Points>& loops)
+/// So many chains are named in a message.
+constexpr std::size_t kNamed = 6;
+
+/// How many points each chain has and where it is.
+std::string chains_text(const std::vector<std::vector<int>>& chains, bool closed)
 {
   std::string text;
-  for (const Points& loop : loops)
+  for (std::size_t k = 0; k < std::min(kNamed, chains.size()); ++k)
   {
-    text += (text.empty() ? "" : ", ") + std::to_string(loop.cols());
+    const std::vector<int>& ids = chains[k];
+    text += (k > 0 ? "; " : "") + std::to_string(ids.size()) + " points " +
+      (closed ? "through point " + std::to_string(ids.front())
+              : "from point " + std::to_string(ids.front()) + " to " + std::to_string(ids.back()));
   }
-  return text;
+  return text + (chains.size() > kNamed ? "; …" : "");
 }
 
 /// One loop, or three or four open chains, of many short polylines.
@@ -79,8 +86,12 @@ Boundary assemble_chains(
   if (chains.loops.size() > 1)
   {
     throw BoundaryError(BoundaryDefect::Loops,
-      "the segments form " + std::to_string(chains.loops.size()) + " closed loops (of " +
-        sizes_text(chains.loops) + " points) where one is expected");
+      "the segments form " + std::to_string(chains.loops.size()) + " closed loops (" +
+        chains_text(chains.loop_ids, true) + ")" +
+        (chains.open.empty() ? ""
+                             : " and " + std::to_string(chains.open.size()) + " open chains (" +
+              chains_text(chains.open_ids, false) + ")") +
+        " where one loop is expected");
   }
   const BoundaryScale scale = measure({ points }, options);
   if (chains.loops.empty() && chains.open.size() == 1)
@@ -98,9 +109,11 @@ Boundary assemble_chains(
         " apart");
   }
   throw BoundaryError(BoundaryDefect::Count,
-    "the segments form " + std::to_string(chains.loops.size()) + " closed loops and " +
-      std::to_string(chains.open.size()) +
-      " open chains; a patch needs one loop or three or four chains");
+    "the segments form " + std::to_string(chains.loops.size()) + " closed loops" +
+      (chains.loops.empty() ? "" : " (" + chains_text(chains.loop_ids, true) + ")") + " and " +
+      std::to_string(chains.open.size()) + " open chains" +
+      (chains.open.empty() ? "" : " (" + chains_text(chains.open_ids, false) + ")") +
+      "; a patch needs one loop or three or four chains");
 }
 
 } // namespace

@@ -13,6 +13,19 @@ namespace footpoint
 namespace
 {
 
+/// So many points are named in a message.
+constexpr std::size_t kNamed = 8;
+
+std::string listed(const std::vector<int>& points)
+{
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kNamed, points.size()); ++k)
+  {
+    text += (k > 0 ? ", " : "") + std::to_string(points[k]);
+  }
+  return text + (points.size() > kNamed ? ", …" : "");
+}
+
 /// The segments as a graph of merged points.
 class SegmentGraph
 {
@@ -38,17 +51,29 @@ public:
 
   void check_branches() const
   {
+    std::vector<int> forks;
     for (std::size_t point = 0; point < this->Neighbours.size(); ++point)
     {
       if (this->Neighbours[point].size() > 2)
       {
-        const Vector3 at = this->Positions.col(static_cast<Eigen::Index>(point));
-        throw BoundaryError(BoundaryDefect::Branch,
-          std::to_string(this->Neighbours[point].size()) + " segments meet at point " +
-            std::to_string(point) + " (" + short_text(at.x()) + ", " + short_text(at.y()) + ", " +
-            short_text(at.z()) + "); a boundary does not fork");
+        forks.push_back(static_cast<int>(point));
       }
     }
+    if (forks.empty())
+    {
+      return;
+    }
+    const std::vector<int>& others = this->Neighbours[forks.front()];
+    const Vector3 at = this->Positions.col(forks.front());
+    std::string text = std::to_string(others.size()) + " segments meet at point " +
+      std::to_string(forks.front()) + " (" + short_text(at.x()) + ", " + short_text(at.y()) + ", " +
+      short_text(at.z()) + "), from points " + listed(others);
+    if (forks.size() > 1)
+    {
+      text += "; so they do at " + std::to_string(forks.size() - 1) +
+        " more points: " + listed({ forks.begin() + 1, forks.end() });
+    }
+    throw BoundaryError(BoundaryDefect::Branch, text + "; a boundary does not fork");
   }
 
   /// All chains that begin at points with so many neighbours and were not walked before.

@@ -18,7 +18,7 @@ struct GordonOptions
   /// The parameters of the meetings have to agree along all curves of a family, to the effect of
   /// intersection_tolerance in space. Where they do not the network is refused; with this on the
   /// curves are reparametrized instead (approximately: a monotone cubic change of parameter,
-  /// refitted).
+  /// refitted by polynomials).
   bool reparametrize = false;
   double reparametrization_tolerance =
     1e-4; ///< largest allowed change of a curve, fraction of the size
@@ -27,8 +27,11 @@ struct GordonOptions
 /// What was done to a network to put it in order.
 struct NetworkReport
 {
-  std::vector<double> parameters_u; ///< of the guides on the profiles, in [0, 1], ascending
-  std::vector<double> parameters_v; ///< of the profiles on the guides
+  /// Of the guides on the profiles, in [0, 1], ascending. Closed profiles meet the first guide at 0
+  /// and once more at 1: there is one number more than guides, also in `guide_order` (where the
+  /// last is the guide that is the first again) and `guide_reversed`.
+  std::vector<double> parameters_u;
+  std::vector<double> parameters_v; ///< of the profiles on the guides, likewise
   std::vector<int> profile_order;   ///< which input became the k-th profile
   std::vector<int> guide_order;
   std::vector<bool> profile_reversed; ///< of the k-th profile, after ordering
@@ -45,9 +48,15 @@ struct GordonResult
 
 /// The Gordon surface (W. J. Gordon 1969) through a network: profiles run along u, guides along v,
 /// every profile meets every guide once. S = S_profiles + S_guides − S_grid, all on one pair of
-/// knot vectors; the intersections are found by descents of curve against curve. \param profiles at
-/// least 2, any order and direction; non-rational (rational ones are refused: the
-///                 network of rational curves has no exact Gordon surface of this kind)
+/// knot vectors; the intersections are found by descents of curve against curve.
+///
+/// Closed profiles make a surface that is closed along u: they start and end at guide 0, or at the
+/// guide that is given twice, which is then the last one too. It is C2 across the seam between
+/// profiles that are. Closed guides likewise along v. All curves of a family are closed or none.
+///
+/// \param profiles at least 2, any order and direction. Rational curves have an exact Gordon
+///                 surface where all of a family have the same weights as functions of the
+///                 parameter (up to a factor each), as the circles about a tube
 /// \throw BoundaryError, GeometryError
 GordonResult gordon_surface(const std::vector<Curve>& profiles, const std::vector<Curve>& guides,
   const GordonOptions& options = {});

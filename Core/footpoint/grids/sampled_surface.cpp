@@ -12,38 +12,45 @@ namespace footpoint
 namespace
 {
 
-/// Reach of a sample in lengths of its longest edge: at a corner of the grid, where a quarter of
-/// the samples is left, still more than the six that a quadratic takes.
+/// Reach of a sample in lengths of its edges: at a corner of the grid, where a quarter of the
+/// samples is left, still more than the six that a quadratic takes.
 constexpr double kReach = 3.5;
+
+/// Least reach across, as a part of that along the longest edge: keeps the plane of the samples
+/// well defined on thin cells of a curved surface, and where folded cells have no width.
+constexpr double kWidth = 0.3;
+
+/// Stands for edges of no length; far below what tells two points of a grid of unit size.
+constexpr double kLeastEdge = 1e-100;
 
 constexpr int kLeaf = 4; ///< samples along each direction of a leaf
 constexpr int kProjections = 30;
+
+/// Samples are gathered from so many times their reach, so that they serve for all steps of a
+/// projection: those after the first are short.
+constexpr double kMargin = 1.05;
+
 constexpr double kSettled = 1e-14; ///< a projection is done, relative to the reach
 
 /// Holds the fit where samples leave it open, as on a line; far below the accuracy of the surface.
 constexpr double kRidge = 1e-10;
 
-Eigen::VectorXd sample_reach(const Grid& grid)
+/// The longer of the two edges at a grid point along a direction.
+Vector3 longest_edge(const Grid& grid, int i, int j, int direction)
 {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(grid.points.cols());
-  auto edge = [&](Eigen::Index a, Eigen::Index b)
+  Vector3 result = Vector3::Zero();
+  const int place = direction == 0 ? i : j;
+  for (const int step : { -1, 1 })
   {
-    const double length = kReach * (grid.points.col(a) - grid.points.col(b)).norm();
-    result(a) = std::max(result(a), length);
-    result(b) = std::max(result(b), length);
-  };
-  for (int j = 0; j < grid.count[1]; ++j)
-  {
-    for (int i = 0; i < grid.count[0]; ++i)
+    if (place + step < 0 || place + step >= grid.count[std::size_t(direction)])
     {
-      if (i + 1 < grid.count[0])
-      {
-        edge(grid.index(i, j), grid.index(i + 1, j));
-      }
-      if (j + 1 < grid.count[1])
-      {
-        edge(grid.index(i, j), grid.index(i, j + 1));
-      }
+      continue;
+    }
+    const Eigen::Index other = direction == 0 ? grid.index(i + step, j) : grid.index(i, j + step);
+    const Vector3 edge = grid.points.col(other) - grid.points.col(grid.index(i, j));
+    if (edge.squaredNorm() > result.squaredNorm())
+    {
+      result = edge;
     }
   }
   return result;
@@ -59,6 +66,19 @@ struct SampledSurface::Fit
   double scale; ///< the largest reach
 };
 
+/// The samples that may reach a point near `centre`, a row each.
+struct SampledSurface::Neighbourhood
+{
+  Vector3 centre;
+  std::vector<Eigen::Index> samples;
+  Eigen::Array<double, Eigen::Dynamic, 3> offsets; ///< from the centre
+  Eigen::Array<double, Eigen::Dynamic, 6> shape; ///< |A d|² as factors of x², y², z², xy, xz, yz
+  double largest = 0.0;                          ///< reach
+  double slack = 0.0; ///< no other sample reaches a point that is not farther from the centre
+
+  bool fit(const Vector3& point, Fit& result) const;
+};
+
 SampledSurface::SampledSurface(const Grid& grid)
   : Samples(grid)
   , Flat(fit_plane(grid.points))
@@ -71,9 +91,38 @@ SampledSurface::SampledSurface(const Grid& grid)
     this->FlatTangents << first, normal.cross(first);
     return;
   }
-  this->Reach = sample_reach(grid);
-  this->Nodes.push_back({ { { 0, grid.count[0], 0, grid.count[1] } }, {}, {}, 0 });
+  this->find_reach();
+  this->Nodes.push_back(
+    { { { 0, grid.count[0], 0, grid.count[1] } }, Vector3::Zero(), Vector3::Zero(), 0 });
   this->build(0);
+}
+
+void SampledSurface::find_reach()
+{
+  const Eigen::Index size = this->Samples.points.cols();
+  this->Shape.resize(std::size_t(size));
+  this->Extent.resize(3, size);
+  this->Reach.resize(size);
+  this->LeastReach = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < this->Samples.count[1]; ++j)
+  {
+    for (int i = 0; i < this->Samples.count[0]; ++i)
+    {
+      Eigen::Matrix<double, 3, 2> edges;
+      edges << longest_edge(this->Samples, i, j, 0), longest_edge(this->Samples, i, j, 1);
+      // A sample whose edges have no length reaches nothing but itself.
+      const double longest = std::max(edges.colwise().norm().maxCoeff(), kLeastEdge);
+      const double width = kWidth * longest;
+      const Eigen::Matrix3d square =
+        kReach * kReach * (edges * edges.transpose() + width * width * Eigen::Matrix3d::Identity());
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(square);
+      const Eigen::Index k = this->Samples.index(i, j);
+      this->Shape[std::size_t(k)] = axes.operatorInverseSqrt();
+      this->Extent.col(k) = square.diagonal().cwiseSqrt();
+      this->Reach(k) = std::sqrt(axes.eigenvalues()(2));
+      this->LeastReach = std::min(this->LeastReach, kReach * width);
+    }
+  }
 }
 
 void SampledSurface::build(int node)
@@ -89,7 +138,7 @@ void SampledSurface::build(int node)
       for (int i = range[0]; i < range[1]; ++i)
       {
         const Eigen::Index k = this->Samples.index(i, j);
-        const Vector3 reach = Vector3::Constant(this->Reach(k));
+        const Vector3 reach = kMargin * this->Extent.col(k);
         low = low.cwiseMin(this->Samples.points.col(k) - reach);
         high = high.cwiseMax(this->Samples.points.col(k) + reach);
       }
@@ -117,8 +166,10 @@ void SampledSurface::build(int node)
   this->Nodes[std::size_t(node)].high = high;
 }
 
-void SampledSurface::gather(const Vector3& point, std::vector<Eigen::Index>& samples) const
+void SampledSurface::gather(const Vector3& point, Neighbourhood& near) const
 {
+  near.centre = point;
+  near.samples.clear();
   std::array<int, 64> stack;
   int depth = 0;
   stack[std::size_t(depth++)] = 0;
@@ -140,13 +191,29 @@ void SampledSurface::gather(const Vector3& point, std::vector<Eigen::Index>& sam
       for (int i = node.range[0]; i < node.range[1]; ++i)
       {
         const Eigen::Index k = this->Samples.index(i, j);
-        if ((this->Samples.points.col(k) - point).norm() < this->Reach(k))
+        const Vector3 offset = this->Samples.points.col(k) - point;
+        if ((this->Shape[std::size_t(k)] * offset).squaredNorm() < kMargin * kMargin)
         {
-          samples.push_back(k);
+          near.samples.push_back(k);
         }
       }
     }
   }
+  const Eigen::Index size = Eigen::Index(near.samples.size());
+  near.offsets.resize(size, 3);
+  near.shape.resize(size, 6);
+  near.largest = 0.0;
+  for (Eigen::Index k = 0; k < size; ++k)
+  {
+    const Eigen::Index sample = near.samples[std::size_t(k)];
+    near.offsets.row(k) = (this->Samples.points.col(sample) - point).transpose();
+    const Eigen::Matrix3d& shape = this->Shape[std::size_t(sample)];
+    const Eigen::Matrix3d square = shape * shape;
+    near.shape.row(k) << square(0, 0), square(1, 1), square(2, 2), 2.0 * square(0, 1),
+      2.0 * square(0, 2), 2.0 * square(1, 2);
+    near.largest = std::max(near.largest, this->Reach(sample));
+  }
+  near.slack = (kMargin - 1.0) * this->LeastReach;
 }
 
 Vector3 SampledSurface::nearest_sample(const Vector3& point) const
@@ -156,51 +223,52 @@ Vector3 SampledSurface::nearest_sample(const Vector3& point) const
   return this->Samples.points.col(nearest);
 }
 
-bool SampledSurface::fit(const Vector3& point, Fit& result) const
+/// \return false where no sample reaches the point
+bool SampledSurface::Neighbourhood::fit(const Vector3& point, Fit& result) const
 {
-  thread_local std::vector<Eigen::Index> samples;
-  samples.clear();
-  this->gather(point, samples);
-  if (samples.empty())
+  const Eigen::Index size = this->offsets.rows();
+  result.scale = this->largest;
+  thread_local Eigen::Matrix<double, Eigen::Dynamic, 3> local;
+  thread_local Eigen::VectorXd weights;
+  thread_local Eigen::Matrix<double, Eigen::Dynamic, 7> basis; // 1, x, y, x², xy, y², height
+  thread_local Eigen::Matrix<double, Eigen::Dynamic, 6> weighted;
+  local = this->offsets.matrix().rowwise() - (point - this->centre).transpose();
+  const auto x = local.col(0).array();
+  const auto y = local.col(1).array();
+  const auto z = local.col(2).array();
+  weights = (1.0 - x * (x * this->shape.col(0) + y * this->shape.col(3) + z * this->shape.col(4)) -
+    y * (y * this->shape.col(1) + z * this->shape.col(5)) - z * z * this->shape.col(2))
+              .max(0.0)
+              .square()
+              .square();
+  const double total = weights.sum();
+  if (size == 0 || total == 0.0)
   {
     return false;
   }
+  local /= result.scale;
+
   // === The plane: least spread of the weighted samples
-  const Eigen::Index size = Eigen::Index(samples.size());
-  Points offsets(3, size);
-  Eigen::VectorXd weights(size);
-  result.scale = 0.0;
-  for (Eigen::Index k = 0; k < size; ++k)
-  {
-    const double reach = this->Reach(samples[std::size_t(k)]);
-    offsets.col(k) = this->Samples.points.col(samples[std::size_t(k)]) - point;
-    const double inside = 1.0 - offsets.col(k).squaredNorm() / (reach * reach);
-    weights(k) = inside * inside * inside * inside;
-    result.scale = std::max(result.scale, reach);
-  }
-  offsets /= result.scale;
-  const Vector3 mean = offsets * weights / weights.sum();
-  const Points spread = offsets.colwise() - mean;
-  const Eigen::Matrix3d covariance = spread * weights.asDiagonal() * spread.transpose();
+  const Eigen::RowVector3d mean = weights.transpose() * local / total;
+  const Eigen::Matrix3d covariance =
+    local.transpose() * weights.asDiagonal() * local - total * mean.transpose() * mean;
   const Eigen::Matrix3d axes =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
   result.axes << axes.col(2), axes.col(1), axes.col(2).cross(axes.col(1));
 
   // === The heights above it
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  for (Eigen::Index k = 0; k < size; ++k)
-  {
-    const Vector3 local = result.axes.transpose() * offsets.col(k);
-    const double x = local(0);
-    const double y = local(1);
-    Eigen::Matrix<double, 6, 1> basis;
-    basis << 1.0, x, y, x * x, x * y, y * y;
-    normal += weights(k) * basis * basis.transpose();
-    right += weights(k) * local(2) * basis;
-  }
+  basis.resize(size, 7);
+  basis.col(0).setOnes();
+  basis.middleCols<2>(1).noalias() = local * result.axes.leftCols<2>();
+  basis.col(6).noalias() = local * result.axes.col(2);
+  basis.col(3) = basis.col(1).cwiseAbs2();
+  basis.col(4) = basis.col(1).cwiseProduct(basis.col(2));
+  basis.col(5) = basis.col(2).cwiseAbs2();
+  weighted = weights.asDiagonal() * basis.leftCols<6>();
+  const Eigen::Matrix<double, 6, 7> system = weighted.transpose() * basis;
+  Eigen::Matrix<double, 6, 6> normal = system.leftCols<6>();
   normal.diagonal().tail<5>().array() += kRidge * normal.trace();
-  result.height = normal.ldlt().solve(right);
+  result.height = normal.ldlt().solve(system.col(6));
   return true;
 }
 
@@ -213,12 +281,19 @@ SurfacePlace SampledSurface::project(const Vector3& point) const
   SurfacePlace place;
   place.point = point;
   Fit local;
+  thread_local Neighbourhood near;
+  this->gather(place.point, near);
   for (int k = 0; k < kProjections; ++k)
   {
-    if (!this->fit(place.point, local))
+    if ((place.point - near.centre).norm() > near.slack)
+    {
+      this->gather(place.point, near);
+    }
+    if (!near.fit(place.point, local))
     {
       place.point = this->nearest_sample(place.point);
-      this->fit(place.point, local);
+      this->gather(place.point, near);
+      near.fit(place.point, local);
     }
     place.point += local.height(0) * local.scale * local.axes.col(2);
     if (std::abs(local.height(0)) <= kSettled)

@@ -18,8 +18,9 @@ struct SurfacePlace
 
 /// The surface that a grid in space samples, whether the grid folds on it or not: the moving least
 /// squares surface of its points (D. Levin, "Mesh-independent surface interpolation", 2003),
-/// quadratic, smooth, and independent of how the points are joined. Each sample reaches as far as a
-/// few of its own cells. Third-order accurate in the spacing. Of a planar grid: the plane, exactly.
+/// quadratic, smooth. Each sample reaches over an ellipsoid as long and as wide as a few of its own
+/// cells, so that as many serve on long cells as on square ones. Third-order accurate in the
+/// spacing. Of a planar grid: the plane, exactly.
 /// \bug Two sheets closer than the cells are long are taken for one.
 class SampledSurface
 {
@@ -37,20 +38,26 @@ private:
   struct Node
   {
     std::array<int, 4> range; ///< i from, i to, j from, j to (exclusive)
-    Vector3 low, high;        ///< about the reach of its samples
+    Vector3 low, high;        ///< about the reach of its samples and the margin
     int children;             ///< index of the first of two, 0 in a leaf
   };
   struct Fit;
+  struct Neighbourhood;
 
+  void find_reach();
   void build(int node);
-  bool fit(const Vector3& point, Fit& result) const;
-  void gather(const Vector3& point, std::vector<Eigen::Index>& samples) const;
+  void gather(const Vector3& point, Neighbourhood& near) const;
   Vector3 nearest_sample(const Vector3& point) const;
 
   Grid Samples;
   Plane Flat;
   Eigen::Matrix<double, 3, 2> FlatTangents;
+  /// Per sample the matrix A of its ellipsoid |A d| < 1, its half extents along the axes, and its
+  /// longest half axis.
+  std::vector<Eigen::Matrix3d> Shape;
+  Points Extent;
   Eigen::VectorXd Reach;
+  double LeastReach = 0.0; ///< the shortest half axis of all
   std::vector<Node> Nodes;
 };
 

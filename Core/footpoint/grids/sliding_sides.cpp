@@ -83,6 +83,29 @@ Vector3 SlidingSides::tangent(const SlidingPoint& which, double at) const
   return mixed.normalized();
 }
 
+Vector3 SlidingSides::point_derivative(const SlidingPoint& which, double at) const
+{
+  const Line& line = this->Lines[std::size_t(which.side)];
+  const Eigen::Index k = this->segment(line, at);
+  return (line.vertices.col(k + 1) - line.vertices.col(k)).normalized();
+}
+
+Vector3 SlidingSides::tangent_derivative(const SlidingPoint& which, double at) const
+{
+  const Line& line = this->Lines[std::size_t(which.side)];
+  const Eigen::Index k = this->segment(line, at);
+  const double length = line.lengths(k + 1) - line.lengths(k);
+  if (!(length > 0.0))
+  {
+    return Vector3::Zero();
+  }
+  const double t = (at - line.lengths(k)) / length;
+  const Vector3 mixed = (1.0 - t) * line.tangents.col(k) + t * line.tangents.col(k + 1);
+  const Vector3 change = (line.tangents.col(k + 1) - line.tangents.col(k)) / length;
+  const Vector3 unit = mixed.normalized();
+  return (change - unit.dot(change) * unit) / mixed.norm();
+}
+
 std::array<double, 2> SlidingSides::limits(const Eigen::VectorXd& at, Eigen::Index number) const
 {
   const SlidingPoint& which = this->Sliding[std::size_t(number)];

@@ -35,6 +35,10 @@ public:
   /// can then be orthogonal to a side anywhere.
   Vector3 tangent(const SlidingPoint& which, double at) const;
 
+  /// Derivatives by the arc length of point() and of tangent(), at a vertex from above.
+  Vector3 point_derivative(const SlidingPoint& which, double at) const;
+  Vector3 tangent_derivative(const SlidingPoint& which, double at) const;
+
   /// Part of a move, at most 1, that keeps each point within its half of the way to its neighbours,
   /// so that the order along the side stays.
   double allowed(const Eigen::VectorXd& at, const Eigen::VectorXd& move) const;

@@ -11,6 +11,9 @@ namespace footpoint
 namespace
 {
 
+/// Of the work of Auto, what the elliptic equations take; freeing single cells takes the rest.
+constexpr double kSmoothingPart = 0.8;
+
 SmoothingResult unchanged(const Grid& grid, std::int64_t folds)
 {
   SmoothingResult result;
@@ -33,15 +36,26 @@ SmoothingResult smooth(
     result.converged = grid.points.allFinite();
     return result;
   }
+  // Untangling may have to follow: the last part of the progress is its own.
+  const double first_part = automatic ? kSmoothingPart : 1.0;
+  Execution first = execution;
+  first.proceed = [&](double fraction) { return execution.proceed(first_part * fraction); };
   SmoothingResult result = options.method == Smoothing::Laplacian
-    ? laplacian_smoothing(grid, options, execution)
-    : winslow_smoothing(grid, options, execution);
+    ? laplacian_smoothing(grid, options, first)
+    : winslow_smoothing(grid, options, first);
   result.folds_before = folds;
   result.folds_after = find_folds(result.grid).count;
   if (automatic && !result.cancelled && result.folds_after > 0)
   {
     // Where sides turn within a cell, differences do not see it, and the solution may fold there.
-    result.grid = untangled(result.grid);
+    Execution second = execution;
+    second.proceed = [&](double fraction)
+    {
+      result.cancelled =
+        result.cancelled || !execution.proceed(first_part + (1.0 - first_part) * fraction);
+      return !result.cancelled;
+    };
+    result.grid = untangled(result.grid, second);
     result.folds_after = find_folds(result.grid).count;
   }
   if (result.cancelled || (automatic && result.folds_after >= folds))
@@ -49,6 +63,7 @@ SmoothingResult smooth(
     result.grid = grid;
     result.folds_after = folds;
   }
+  result.converged = result.converged && !result.cancelled;
   result.changed = result.grid.points != grid.points;
   return result;
 }

@@ -108,7 +108,7 @@ void improve(Grid& grid, const Points& normals, double noise, const SampledSurfa
 
 } // namespace
 
-Grid untangled(const Grid& grid)
+Grid untangled(const Grid& grid, const Execution& execution)
 {
   const SampledSurface surface(grid);
   const double noise = coordinate_noise(grid.points);
@@ -119,9 +119,14 @@ Grid untangled(const Grid& grid)
   for (int pass = 0; pass < kPasses && fewest > 0; ++pass)
   {
     const Points normals = reference_normals(current);
-    for (const Eigen::Index point : points_about(current, quality))
+    const std::vector<Eigen::Index> points = points_about(current, quality);
+    for (std::size_t k = 0; k < points.size(); ++k)
     {
-      improve(current, normals, noise, surface, point);
+      if (!execution.proceed((pass + double(k) / double(points.size())) / kPasses))
+      {
+        return best;
+      }
+      improve(current, normals, noise, surface, points[k]);
     }
     quality = grid_quality(current);
     if (quality.folded_count < fewest)

@@ -203,6 +203,14 @@ double WinslowEquations::side_weight() const
   return across * across + along * along;
 }
 
+/// 4 r₁ − r₂ − 3 r, weighted.
+Vector3 WinslowEquations::side_value(
+  const Points& points, Eigen::Index point, Eigen::Index inner) const
+{
+  return this->side_weight() *
+    (4.0 * points.col(inner) - points.col(2 * inner - point) - 3.0 * points.col(point));
+}
+
 Eigen::VectorXd WinslowEquations::residual(const Points& points, const Places& places) const
 {
   Eigen::VectorXd result(2 * Eigen::Index(this->Unknowns.size()));
@@ -210,17 +218,16 @@ Eigen::VectorXd WinslowEquations::residual(const Points& points, const Places& p
   {
     const Eigen::Index point = this->Unknowns[k];
     const Eigen::Index inner = this->inner_neighbour(point);
-    Vector3 value;
+    const Eigen::Index at = 2 * Eigen::Index(k);
     if (inner < 0)
     {
-      value = this->stencil(points, point).value();
+      result.segment<2>(at) = places[k].tangents.transpose() * this->stencil(points, point).value();
     }
     else
     {
-      value = this->side_weight() *
-        (4.0 * points.col(inner) - points.col(2 * inner - point) - 3.0 * points.col(point));
+      result(at) = places[k].side_tangent.dot(this->side_value(points, point, inner));
+      result(at + 1) = 0.0;
     }
-    result.segment<2>(2 * Eigen::Index(k)) = places[k].tangents.transpose() * value;
   }
   return result;
 }
@@ -307,7 +314,12 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
     {
       const int first = 2 * int(k);
       const double weight = this->side_weight();
-      entries.emplace_back(first, first, -3.0 * weight);
+      double own = -3.0 * weight * places[k].side_tangent.dot(tangents.col(0));
+      if (!held)
+      {
+        own += places[k].side_turn.dot(this->side_value(points, this->Unknowns[k], inner));
+      }
+      entries.emplace_back(first, first, own);
       entries.emplace_back(first + 1, first + 1, -weight); // no second direction to step along
       const std::array<std::pair<Eigen::Index, double>, 2> others = { { { inner, 4.0 * weight },
         { 2 * inner - this->Unknowns[k], -weight } } };
@@ -315,7 +327,7 @@ WinslowEquations::Matrix WinslowEquations::newton_matrix(
       {
         const int column = this->Number[std::size_t(point)];
         const Eigen::RowVector2d row =
-          factor * tangents.col(0).transpose() * places[std::size_t(column)].tangents;
+          factor * places[k].side_tangent.transpose() * places[std::size_t(column)].tangents;
         entries.emplace_back(first, 2 * column, row(0));
         entries.emplace_back(first, 2 * column + 1, row(1));
       }

@@ -21,21 +21,40 @@ struct ControlField
 /// and top, ψ = −r_η·r_ηη / r_η² on left and right, linear in between.
 ControlField thomas_middlecoff(const Grid& grid);
 
+/// Place of an unknown point. One that slides along a side steps along one direction only:
+/// `tangents` is [derivative by the arc length, 0], and `curvature` has no meaning.
+struct WinslowPlace : SurfacePlace
+{
+  Vector3 side_tangent = Vector3::Zero(); ///< τ, to which the grid line shall be orthogonal
+  Vector3 side_turn = Vector3::Zero();    ///< derivative of τ by the arc length
+};
+
 /// A. M. Winslow's equations in central differences,
 ///   R = α (r_ξξ + φ r_ξ) − 2β r_ξη + γ (r_ηη + ψ r_η),  α = r_η², β = r_ξ·r_η, γ = r_ξ²,
 /// for the grid's inner points. In space the tangential part of R: with r_ξξ, … of a grid on a
 /// surface R is Δr of the surface up to a factor, which is normal to it when ξ and η are harmonic
 /// on the surface (Z. U. A. Warsi, "Numerical grid generation in arbitrary surfaces", J. Comput.
-/// Phys. 64 (1986)). Points of the sides that slide along a tangent τ (`SurfacePlace::tangents` is
-/// then [τ, 0]) have the equation τ·(4 r₁ − r₂ − 3 r) = 0 with the next points r₁, r₂ off the side:
-/// the grid line meets the side at a right angle, to second order. It is scaled like the others of
-/// a grid of unit size. Unknowns: two steps along the tangents per point, numbered so that
-/// elimination fills little.
+/// Phys. 64 (1986)).
+///
+/// Accuracy in space: second order, with a constant from the curvature, because chords stand for
+/// arcs. Let P project on the tangent plane at a point, and a grid line run along a geodesic of
+/// curvature κ with the arc length s(ξ), s(0) = 0. Then P r = sin(κs)/κ = s − κ²s³/6 + O(s⁵), and
+/// its second difference at the spacing h is that of s less κ²/6 (s(h)³ + s(−h)³) = κ²h⁴ s'² s''/2
+/// + O(h⁶): the part κ²h²s'²/2 of the term h² s'' is lost. First differences lose the part
+/// κ²h²s'²/6, and with them α, β and γ. The normals do not count beside that: they are off by O(h³)
+/// (sampled_surface.h), and tilting P by as much adds that part of the normal component of R, which
+/// is of the size of its other terms. So the grid on a cylinder is the rolled planar one up to
+/// O(h²).
+///
+/// Points of the sides that slide have, with the tangent τ there, the equation τ·(4 r₁ − r₂ − 3 r)
+/// = 0 with the next points r₁, r₂ off the side: the grid line meets the side at a right angle, to
+/// second order. It is scaled like the others of a grid of unit size. Unknowns: two steps along the
+/// tangents per point, numbered so that elimination fills little.
 class WinslowEquations
 {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
-  using Places = std::vector<SurfacePlace>; ///< per unknown point
+  using Places = std::vector<WinslowPlace>; ///< per unknown point
 
   /// \param sliding whether the points of the sides, corners excepted, are unknowns too
   WinslowEquations(const std::array<int, 2>& count, ControlField control, bool sliding = false);
@@ -65,6 +84,7 @@ private:
   /// Calls visit(column, di, dj) for the unknowns among a point and its eight neighbours.
   template <class Visit>
   void for_unknowns_about(Eigen::Index point, const Visit& visit) const;
+  Vector3 side_value(const Points& points, Eigen::Index point, Eigen::Index inner) const;
 
   std::array<int, 2> Count;
   ControlField Control;

@@ -23,11 +23,16 @@ constexpr double kCoarseTolerance = 1e-4;
 constexpr double kPicardTolerance = 1e-2;
 constexpr int kPicardSteps = 30;
 
-/// Picard steps after a Newton step that did not help, and halvings of it before.
+/// Picard steps after a Newton step that did not help, and halvings of a step before it is given
+/// up.
 constexpr int kRecoverySteps = 3;
 constexpr int kBacktracks = 5;
 
-/// Part of the residual that a full Newton step must take away.
+/// With sliding sides, steps of which none may raise the residual. Where points have far to go
+/// along a side it stalls; Picard steps then start again and go over the hill.
+constexpr int kDescents = 25;
+
+/// Part of the residual that a full step must take away.
 constexpr double kLeastGain = 0.05;
 
 /// The iteration on one grid.
@@ -71,6 +76,8 @@ public:
     WinslowState best = this->Current;
     WinslowStep step(this->Equations, this->Sides != nullptr);
     int picard_left = picard_steps;
+    const WinslowState first = this->Current;
+    bool guarded = this->Sides != nullptr;
     while (best.norm > target && this->Iterations < maximum_iterations)
     {
       const double done = std::log(best.norm / start) / std::log(target / start);
@@ -80,15 +87,29 @@ public:
       }
       ++this->Iterations;
       const bool near = this->Current.norm <= kPicardTolerance * start;
+      if (guarded)
+      {
+        // From the solution with the sides fixed Newton's method may start at once.
+        const bool fell =
+          this->descend(step.newton(this->Current)) || this->descend(step.picard(this->Current));
+        best = this->Current;
+        if (!fell || (!near && this->Iterations >= kDescents))
+        {
+          guarded = false;
+          picard_left = kPicardSteps;
+          this->Current = first;
+        }
+        continue;
+      }
       if (picard_left > 0 && !near)
       {
         --picard_left;
-        this->Current = this->moved(step.picard(this->Current), 1.0);
+        this->follow(step.picard(this->Current));
       }
-      else if (!this->newton(step))
+      else if (!this->descend(step.newton(this->Current)))
       {
         picard_left = kRecoverySteps;
-        this->Current = this->moved(step.picard(this->Current), 1.0);
+        this->follow(step.picard(this->Current));
       }
       if (!std::isfinite(this->Current.norm))
       {
@@ -119,8 +140,9 @@ private:
         {
           const Eigen::Index point = unknowns[std::size_t(k)];
           const int side = this->NumberOnSides[std::size_t(point)];
-          state.places[std::size_t(k)] = side >= 0 ? this->side_place(side, along_sides(side))
-                                                   : this->Surface.project(points.col(point));
+          state.places[std::size_t(k)] = side >= 0
+            ? this->side_place(side, along_sides(side))
+            : WinslowPlace{ this->Surface.project(points.col(point)) };
           state.points.col(point) = state.places[std::size_t(k)].point;
         }
       });
@@ -129,38 +151,50 @@ private:
     return state;
   }
 
-  SurfacePlace side_place(int number, double at) const
+  WinslowPlace side_place(int number, double at) const
   {
     const SlidingPoint& which = this->Sides->points()[std::size_t(number)];
-    SurfacePlace place;
+    WinslowPlace place;
     place.point = this->Sides->point(which, at);
-    place.tangents << this->Sides->tangent(which, at), Vector3::Zero();
+    place.tangents << this->Sides->point_derivative(which, at), Vector3::Zero();
     place.curvature.setZero();
+    place.side_tangent = this->Sides->tangent(which, at);
+    place.side_turn = this->Sides->tangent_derivative(which, at);
     return place;
   }
 
-  /// \param fraction of the step; less is taken where points of the sides would come too near each
-  /// other
+  /// The part of a step that belongs to the points of the sides, as arc lengths.
+  Eigen::VectorXd slide(const Eigen::VectorXd& step) const
+  {
+    Eigen::VectorXd result(this->Current.along_sides.size());
+    const auto& unknowns = this->Equations.unknowns();
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+    {
+      const int side = this->NumberOnSides[std::size_t(unknowns[k])];
+      if (side >= 0)
+      {
+        result(side) = step(2 * Eigen::Index(k));
+      }
+    }
+    return result;
+  }
+
+  /// How much of a step may be taken: less than 1 where points of the sides would come too near
+  /// each other.
+  double largest_fraction(const Eigen::VectorXd& step) const
+  {
+    return this->Sides ? this->Sides->allowed(this->Current.along_sides, this->slide(step)) : 1.0;
+  }
+
   WinslowState moved(const Eigen::VectorXd& step, double fraction) const
   {
     Points points = this->Current.points;
     Eigen::VectorXd along = this->Current.along_sides;
-    const auto& unknowns = this->Equations.unknowns();
     if (this->Sides)
     {
-      Eigen::VectorXd slide(along.size());
-      for (std::size_t k = 0; k < unknowns.size(); ++k)
-      {
-        const int side = this->NumberOnSides[std::size_t(unknowns[k])];
-        if (side >= 0)
-        {
-          slide(side) = fraction * step(2 * Eigen::Index(k));
-        }
-      }
-      const double allowed = this->Sides->allowed(along, slide);
-      fraction *= allowed;
-      along += allowed * slide;
+      along += fraction * this->slide(step);
     }
+    const auto& unknowns = this->Equations.unknowns();
     for (std::size_t k = 0; k < unknowns.size(); ++k)
     {
       points.col(unknowns[k]) +=
@@ -169,14 +203,19 @@ private:
     return this->place_all(points, along);
   }
 
-  /// A Newton step, halved until the residual falls; false if it never does.
-  bool newton(WinslowStep& step)
+  /// A step whether the residual falls or not.
+  void follow(const Eigen::VectorXd& step)
   {
-    const Eigen::VectorXd full = step.newton(this->Current);
-    double fraction = 1.0;
+    this->Current = this->moved(step, this->largest_fraction(step));
+  }
+
+  /// A step, halved until the residual falls; false if it never does.
+  bool descend(const Eigen::VectorXd& step)
+  {
+    double fraction = this->largest_fraction(step);
     for (int k = 0; k < kBacktracks; ++k, fraction *= 0.5)
     {
-      WinslowState next = this->moved(full, fraction);
+      WinslowState next = this->moved(step, fraction);
       if (next.norm < (1.0 - kLeastGain * fraction) * this->Current.norm)
       {
         this->Current = std::move(next);
@@ -280,8 +319,8 @@ SmoothingResult winslow_smoothing(
     LevelSolver slider(scaled, control_field(scaled, options.control), surface, guarded, &sides);
     const double slid = slider.residual();
     slider.restart(solved);
-    result.converged = slider.solve(std::max(options.tolerance * slid, slider.rounding()),
-      options.maximum_iterations, kPicardSteps);
+    result.converged = slider.solve(
+      std::max(options.tolerance * slid, slider.rounding()), options.maximum_iterations, 0);
     result.cancelled = cancelled;
     result.iterations += slider.iterations();
     result.residual = slider.residual() / slid;

@@ -14,6 +14,13 @@ namespace
 /// Knots of two curves closer than this part of the domain are meant to be one.
 constexpr double kSameKnot = 1e-12;
 
+/// A start so near to a breakpoint is meant to be there: as accurate as a foot on a curve is found.
+constexpr double kSameStart = 1e-9;
+
+/// Derivatives at a joint agree when what they differ by moves the function less than this part of
+/// its values: some rounding errors of the differences.
+constexpr double kSameDerivative = 1e-13;
+
 double binomial(int n, int k)
 {
   double result = 1.0;
@@ -50,6 +57,28 @@ Eigen::MatrixXd elevate_once(const Eigen::MatrixXd& control)
     result.col(j) = part * control.col(j - 1) + (1.0 - part) * control.col(j);
   }
   return result;
+}
+
+/// How many derivatives are continuous from the end of one Bernstein polynomial to the start of
+/// another.
+int joint_smoothness(
+  Eigen::MatrixXd before, double before_length, Eigen::MatrixXd after, double after_length)
+{
+  const int degree = static_cast<int>(before.cols()) - 1;
+  const double scale = std::max(before.cwiseAbs().maxCoeff(), after.cwiseAbs().maxCoeff());
+  const double unit = std::min(before_length, after_length);
+  for (int order = 1; order <= degree; ++order)
+  {
+    const Eigen::Index count = before.cols() - 1;
+    before = (unit / before_length * (before.rightCols(count) - before.leftCols(count))).eval();
+    after = (unit / after_length * (after.rightCols(count) - after.leftCols(count))).eval();
+    const double step = (before.col(count - 1) - after.col(0)).cwiseAbs().maxCoeff();
+    if (step > kSameDerivative * std::pow(2.0, order) * scale)
+    {
+      return order - 1;
+    }
+  }
+  return degree;
 }
 
 } // namespace
@@ -128,6 +157,35 @@ PiecewisePolynomial PiecewisePolynomial::reversed() const
   {
     piece = piece.rowwise().reverse().eval();
   }
+  return result;
+}
+
+PiecewisePolynomial PiecewisePolynomial::started_at(double start) const
+{
+  for (const double at : this->Breakpoints)
+  {
+    start = std::abs(at - start) <= kSameStart ? at : start;
+  }
+  const PiecewisePolynomial cut = this->refined({ start });
+  const auto found = std::find(cut.Breakpoints.begin(), cut.Breakpoints.end(), start);
+  const std::size_t first = static_cast<std::size_t>(found - cut.Breakpoints.begin());
+  const std::size_t count = cut.Pieces.size();
+  if (first == 0 || first >= count)
+  {
+    return *this;
+  }
+  PiecewisePolynomial result({ 0.0 }, { -1 }, {});
+  for (std::size_t k = 1; k <= count; ++k)
+  {
+    const std::size_t from = (first + k) % count;
+    const double turned = first + k >= count ? 1.0 : 0.0;
+    result.Breakpoints.push_back(k < count ? cut.Breakpoints[from] - start + turned : 1.0);
+    result.Smoothness.push_back(cut.Smoothness[from]);
+    result.Pieces.push_back(cut.Pieces[(first + k - 1) % count]);
+  }
+  const std::vector<double>& at = cut.Breakpoints;
+  result.Smoothness[count - first] = joint_smoothness(
+    cut.Pieces.back(), at[count] - at[count - 1], cut.Pieces.front(), at[1] - at[0]);
   return result;
 }
 

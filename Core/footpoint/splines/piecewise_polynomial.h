@@ -41,6 +41,11 @@ public:
   Eigen::VectorXd value(double t) const;
   /// The same function run through from its end.
   PiecewisePolynomial reversed() const;
+  /// The same closed function run through from another parameter of [0, 1]. A start that is a
+  /// breakpoint up to rounding becomes that one. Where the ends met, the derivatives that agree up
+  /// to rounding count as continuous.
+  /// \pre the domain is [0, 1]; value(0) = value(1)
+  PiecewisePolynomial started_at(double start) const;
   /// The rows [first, first + count) alone.
   PiecewisePolynomial rows(int first, int count) const;
   PiecewisePolynomial scaled(double factor) const;

@@ -123,8 +123,10 @@ def gordon_surface(profiles, guides, **options):
     Parameters
     ----------
     profiles, guides : lists of vtkStructuredGrid
-        At least two curves each, as `nurbs_curve` makes them, without weights, in any order and
-        direction. Every profile meets every guide once.
+        At least two curves each, as `nurbs_curve` makes them, in any order and direction. Every
+        profile meets every guide once. Weights only where all curves of a family have the same.
+        Closed profiles make a surface that is closed along u, from the first guide (or the one that
+        is given twice) around to it again; closed guides likewise along v.
 
     Options
     -------
