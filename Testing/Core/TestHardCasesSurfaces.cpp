@@ -152,7 +152,7 @@ TEST(HardCaseS5, PolesAndCentreOfTheSphere)
   {
     const double norm = std::hypot(x, 2.0);
     const Foot foot = inverter.find({ 0, x, 2 });
-    EXPECT_EQ(foot.status, Status::Converged);
+    EXPECT_EQ(foot.status, Status::Certified);
     EXPECT_TRUE(foot.isolated);
     EXPECT_NEAR(foot.distance, norm - 1.0, 1e-15);
     EXPECT_NEAR(foot.signed_distance, norm - 1.0, 1e-15);
@@ -177,7 +177,7 @@ TEST(HardCaseS6, TorusAxisAndSeams)
     for (const double z : { -1e-12, 0.0, 1e-12 })
     {
       const Foot foot = inverter.find({ 5, y, z });
-      EXPECT_EQ(foot.status, Status::Converged);
+      EXPECT_EQ(foot.status, Status::Certified);
       EXPECT_EQ(foot.type, FootType::Interior);
       EXPECT_TRUE(foot.isolated);
       EXPECT_NEAR(foot.signed_distance, 1.0, 1e-12);
@@ -250,7 +250,8 @@ TEST(HardCaseS11, NearlyParallelDerivatives)
     const double v = random.uniform(std::max(0.0, x - 1.0), std::min(1.0, x));
     const Foot above = inverter.find({ x, 1e-8 * v, z });
     EXPECT_NEAR(above.distance, std::abs(z), 1e-12 * inverter.size());
-    EXPECT_EQ(above.status, Status::Converged);
+    // Convexity cannot be told from rounding in these parameters: right, but not certified.
+    EXPECT_LE(above.status, Status::Converged);
     const Foot beside = inverter.find({ x, 1.0, z });
     EXPECT_NEAR(
       beside.distance, std::hypot(1.0 - 1e-8 * std::min(1.0, x), z), 1e-12 * inverter.size());
@@ -344,7 +345,7 @@ TEST(HardCaseS13, SurfaceThatIsAPoint)
     {
       const std::vector<Foot> feet = inverter.find_all(query);
       ASSERT_EQ(feet.size(), 1u);
-      EXPECT_EQ(feet[0].status, Status::Converged);
+      EXPECT_EQ(feet[0].status, options.all_feet ? Status::Converged : Status::Certified);
       EXPECT_EQ(feet[0].type, FootType::Degenerate);
       EXPECT_EQ(feet[0].point, Vector3(1, 2, 3));
       EXPECT_NEAR(feet[0].distance, (query - Vector3(1, 2, 3)).norm(), 1e-15);

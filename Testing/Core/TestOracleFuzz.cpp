@@ -208,7 +208,7 @@ void fuzz_geometry(std::uint64_t seed, Tally& tally)
     tally.not_converged += foot.status == Status::NotConverged;
     SCOPED_TRACE(
       ::testing::Message() << N << "-D, seed " << seed << ", query " << k << " (" << kind << ")");
-    EXPECT_TRUE(foot.status == Status::Converged || foot.status == Status::NotConverged);
+    EXPECT_LE(foot.status, Status::NotConverged);
     // Distances that differ by sixteen roundings tie.
     const double allowed = 1e-12 * size + 4e-15 * judge;
     tally.excess = std::max(tally.excess, (foot.distance - judge) / allowed);

@@ -213,7 +213,7 @@ TEST(MaximumDistance, CutsOff)
   InversionOptions options;
   options.maximum_distance = 1.0;
   const PointInverter inverter(model_of(shapes::sphere()), options);
-  EXPECT_EQ(inverter.find({ 1.9, 0, 0 }).status, Status::Converged);
+  EXPECT_EQ(inverter.find({ 1.9, 0, 0 }).status, Status::Certified);
   EXPECT_EQ(inverter.find({ 2.1, 0, 0 }).status, Status::BeyondMaximumDistance);
   EXPECT_TRUE(std::isnan(inverter.find({ 2.1, 0, 0 }).distance));
   options.all_feet = true;
@@ -341,7 +341,7 @@ TEST(Batch, ProgressAndCancel)
       : footpoint::invert(inverter, points, {}, execution);
     EXPECT_TRUE(result.cancelled);
     ASSERT_EQ(result.feet.size(), 10000u);
-    EXPECT_EQ(result.feet.front().status, Status::Converged);
+    EXPECT_EQ(result.feet.front().status, Status::Certified);
     EXPECT_EQ(result.feet.back().status, Status::NotConverged);
     EXPECT_TRUE(std::isnan(result.feet.back().distance));
   }
@@ -428,7 +428,7 @@ TEST(OnTheGeometry, ResidualsAndParameters)
       }
       const Foot foot = inverter.find(geometry.centre() + geometry.point(t));
       EXPECT_LE(foot.distance, 1e-13 * inverter.size()) << name;
-      EXPECT_EQ(foot.status, Status::Converged) << name;
+      EXPECT_EQ(foot.status, Status::Certified) << name;
       for (int i = 0; i < kDirections; ++i)
       {
         EXPECT_NEAR(foot.parameter(i), geometry.direction(i).origin + t(i),

@@ -32,10 +32,11 @@ struct Answer
   std::vector<Foot> all;
 };
 
-Answer answer(const PointInverter& inverter, const Vector3& point, const Start& start, bool all)
+Answer answer(const PointInverter& inverter, const Vector3& point, const Start& start, bool all,
+  PointInverter::Workspace& workspace)
 {
   Answer result;
-  result.foot = inverter.find(point, start);
+  result.foot = inverter.find(point, start, workspace);
   if (all)
   {
     result.all = inverter.find_all(point, start);
@@ -66,10 +67,11 @@ InversionResult invert(const PointInverter& inverter, const Points& points,
     execution.parallel_for(block,
       [&](std::int64_t from, std::int64_t to)
       {
+        PointInverter::Workspace workspace;
         for (std::int64_t k = from; k < to; ++k)
         {
           const Start start = starts.empty() ? Start{} : starts[begin + k];
-          Answer found = answer(inverter, points.col(begin + k), start, all);
+          Answer found = answer(inverter, points.col(begin + k), start, all, workspace);
           result.feet[begin + k] = found.foot;
           if (all)
           {
@@ -96,9 +98,10 @@ InversionResult invert_sequence(
   InversionResult result;
   result.feet.assign(count, not_reached());
   Start start;
+  PointInverter::Workspace workspace;
   for (std::int64_t k = 0; k < count && !result.cancelled; ++k)
   {
-    Answer found = answer(inverter, points.col(k), start, all);
+    Answer found = answer(inverter, points.col(k), start, all, workspace);
     result.feet[k] = found.foot;
     append(result, k, found.all);
     // A point without a foot leaves the start where it was.

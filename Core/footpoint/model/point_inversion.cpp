@@ -2,12 +2,14 @@
 #include "footpoint/model/point_inversion.h"
 
 #include "footpoint/model/evaluation.h"
+#include "footpoint/model/certified_feet.h"
 #include "footpoint/model/shared_borders.h"
 #include "footpoint/search/better_foot.h"
 #include "footpoint/solvers/foot_conditions.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace footpoint
 {
@@ -42,12 +44,26 @@ bool valid(const Vector3& point)
 
 } // namespace
 
+struct PointInverter::Workspace::Memory
+{
+  SearchWorkspace search;
+  CertifiedAnswer answer;
+};
+
+PointInverter::Workspace::Workspace()
+  : Data(std::make_unique<Memory>())
+{
+}
+
+PointInverter::Workspace::~Workspace() = default;
+
 struct PointInverter::Implementation
 {
   Model Faces;
   InversionOptions Options;
   std::vector<PreparedPatch> Patches; ///< in the order of faces
   double Size = 0.0;
+  std::optional<CertifiedFeet> Certified; ///< for the nearest point, Search::Global
 
   Implementation(Model model, const InversionOptions& options);
 
@@ -57,6 +73,9 @@ struct PointInverter::Implementation
   PatchQuery query(const Vector3& point, const Start& start, std::size_t patch) const;
   std::vector<std::size_t> by_bound(const PatchQuery& query, double limit) const;
   std::vector<Candidate> nearest(const Vector3& point, const Start& start, Sought sought) const;
+  void put_best_first(std::vector<Candidate>& feet) const;
+  void add_uncertified(const Vector3& point, std::vector<Candidate>& feet) const;
+  Foot nearest_certified(const Vector3& point, PointInverter::Workspace::Memory& memory) const;
   std::vector<Candidate> every(const Vector3& point, const Start& start) const;
   void thin_out_continua(const Vector3& point, std::vector<Candidate>& feet) const;
   Foot finish(
@@ -79,8 +98,12 @@ PointInverter::Implementation::Implementation(Model model, const InversionOption
   {
     count += face.patches.size();
   }
-  const int cells = static_cast<int>(
-    std::clamp(kCellsOfModel / std::max<std::size_t>(count, 1), kMinimumCells, kMaximumCells));
+  const bool certify =
+    options.search == Search::Global && this->Options.fixed_direction.isZero(0.0);
+  const int cells = certify && !options.orthogonal_only && !options.all_feet
+    ? 0
+    : static_cast<int>(
+        std::clamp(kCellsOfModel / std::max<std::size_t>(count, 1), kMinimumCells, kMaximumCells));
   Box box;
   for (std::size_t k = 0; k < this->Faces.size(); ++k)
   {
@@ -100,10 +123,21 @@ PointInverter::Implementation::Implementation(Model model, const InversionOption
       this->Patches.push_back(std::move(prepared));
     }
   }
-  // The control points' own box where there is one patch; its Bézier pieces' box is a little
-  // tighter.
-  this->Size = count == 1 ? this->Patches.front().search->size()
-                          : (count == 0 ? 0.0 : (box.upper - box.lower).norm());
+  this->Size = count == 0 ? 0.0 : (box.upper - box.lower).stableNorm();
+  if (certify && count > 0)
+  {
+    std::vector<CertifiedFeet::Member> members;
+    for (const PreparedPatch& prepared : this->Patches)
+    {
+      members.push_back({ prepared.patch, prepared.face, this->Faces[prepared.face].reversed,
+        prepared.shared });
+    }
+    const Patch& first = *this->Patches.front().patch;
+    const Vector3 own = first.curve ? first.curve->centre() : first.surface->centre();
+    const Vector3 middle = box.lower + 0.5 * (box.upper - box.lower);
+    this->Certified.emplace(
+      std::move(members), count == 1 ? own : middle, this->Size, options.certificate_tolerance);
+  }
 }
 
 /// Order of face, u, v: the rule for ties.
@@ -220,15 +254,85 @@ std::vector<Candidate> PointInverter::Implementation::nearest(
   kept.erase(std::remove_if(kept.begin(), kept.end(),
                [&](const Candidate& candidate) { return candidate.foot.distance > limit(); }),
     kept.end());
-  // Not a strict order where parameters are nearly equal, so no sort: one pass for the best.
-  for (std::size_t k = 1; k < kept.size(); ++k)
+  this->put_best_first(kept);
+  return kept;
+}
+
+/// Not a strict order where parameters are nearly equal, so no sort: one pass for the best.
+void PointInverter::Implementation::put_best_first(std::vector<Candidate>& feet) const
+{
+  for (std::size_t k = 1; k < feet.size(); ++k)
   {
-    if (this->better(kept[k], kept[0]))
+    if (this->better(feet[k], feet[0]))
     {
-      std::swap(kept[0], kept[k]);
+      std::swap(feet[0], feet[k]);
     }
   }
-  return kept;
+}
+
+/// The nearest point, with a certificate where the model is made of splines only.
+Foot PointInverter::Implementation::nearest_certified(
+  const Vector3& point, PointInverter::Workspace::Memory& memory) const
+{
+  const CertifiedFeet& certified = *this->Certified;
+  CertifiedAnswer& answer = memory.answer;
+  certified.find(point, this->Options.maximum_distance, memory.search, answer);
+  Foot foot;
+  foot.status = answer.certified ? Status::Certified : Status::Converged;
+  if (answer.count == 1 && certified.complete() && certified.plain_foot(answer.feet[0], foot))
+  {
+    return foot;
+  }
+  // A foot on the border of a piece need not be a minimum of the whole patch.
+  std::vector<Candidate> feet;
+  for (int k = 0; k < answer.count; ++k)
+  {
+    const std::size_t patch = certified.member(answer.feet[k]);
+    feet.push_back(
+      { patch, this->Patches[patch].search->refine(point, certified.patch_foot(answer.feet[k])) });
+  }
+  bool is_certified = answer.certified;
+  if (!certified.complete())
+  {
+    is_certified = false;
+    this->add_uncertified(point, feet);
+  }
+  if (feet.empty())
+  {
+    foot.status = Status::BeyondMaximumDistance;
+    return foot;
+  }
+  this->put_best_first(feet);
+  foot = this->finish(point, feet.front(), feet);
+  foot.status = is_certified ? Status::Certified : foot.status;
+  return foot;
+}
+
+/// Adds the feet on patches that are no splines, as far as they are as near as what there is.
+void PointInverter::Implementation::add_uncertified(
+  const Vector3& point, std::vector<Candidate>& feet) const
+{
+  double best = feet.empty() ? this->Options.maximum_distance : feet.front().foot.distance;
+  auto limit = [&] { return best + tie_tolerance(best, this->Size); };
+  for (std::size_t k = 0; k < this->Patches.size(); ++k)
+  {
+    if (this->Certified->takes_part(k))
+    {
+      continue;
+    }
+    this->Patches[k].search->search(this->query(point, {}, k), limit,
+      [&](const PatchFoot& foot)
+      {
+        if (foot.distance <= limit() && foot.distance <= this->Options.maximum_distance)
+        {
+          best = std::min(best, foot.distance);
+          feet.push_back({ k, foot });
+        }
+      });
+  }
+  feet.erase(std::remove_if(feet.begin(), feet.end(),
+               [&](const Candidate& candidate) { return candidate.foot.distance > limit(); }),
+    feet.end());
 }
 
 /// All feet, one of each, nearest first.
@@ -404,6 +508,12 @@ double PointInverter::size() const
 
 Foot PointInverter::find(const Vector3& point, const Start& start) const
 {
+  Workspace workspace;
+  return this->find(point, start, workspace);
+}
+
+Foot PointInverter::find(const Vector3& point, const Start& start, Workspace& workspace) const
+{
   const InversionOptions& options = this->Data->Options;
   Foot none;
   if (!valid(point))
@@ -425,13 +535,20 @@ Foot PointInverter::find(const Vector3& point, const Start& start) const
       return this->Data->finish(point, feet.front(), feet);
     }
   }
-  const std::vector<Candidate> feet = this->Data->nearest(point, start, Sought::Minimum);
-  if (feet.empty())
+  Foot foot = none;
+  if (this->Data->Certified)
   {
-    return none;
+    foot = this->Data->nearest_certified(point, *workspace.Data);
   }
-  Foot foot = this->Data->finish(point, feet.front(), feet);
-  foot.status = options.orthogonal_only ? Status::NoOrthogonalFoot : foot.status;
+  else
+  {
+    const std::vector<Candidate> feet = this->Data->nearest(point, start, Sought::Minimum);
+    foot = feet.empty() ? none : this->Data->finish(point, feet.front(), feet);
+  }
+  if (options.orthogonal_only && foot.status != Status::BeyondMaximumDistance)
+  {
+    foot.status = Status::NoOrthogonalFoot;
+  }
   return foot;
 }
 

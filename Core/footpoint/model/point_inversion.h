@@ -13,7 +13,7 @@ namespace footpoint
 /// Outcome for one point; numbers are those of the array Status.
 enum class Status
 {
-  Certified = 0,    ///< proved: no point of the geometry is closer (not yet given by any search)
+  Certified = 0,    ///< proved: no point of the geometry is closer than distance − gap
   Converged = 1,    ///< a local minimum of the distance
   NotConverged = 2, ///< the best point found
   BeyondMaximumDistance = 3, ///< nothing found within the maximum distance
@@ -26,6 +26,8 @@ struct InversionOptions
   Search search = Search::Global;
   SolverOptions solver;
   SeedOptions seeding;
+  /// What Search::Global proves: gap ≤ this fraction of the model's size.
+  double certificate_tolerance = 1e-12;
   /// Points farther than this get BeyondMaximumDistance (model units).
   double maximum_distance = std::numeric_limits<double>::infinity();
   /// The nearest foot where r is orthogonal to the geometry, minimum or not.
@@ -68,6 +70,9 @@ struct Foot
 class PointInverter
 {
 public:
+  /// Memory that the queries of one thread share; without one, a query may allocate its own.
+  class Workspace;
+
   /// \param model      kept alive by shared pointers
   /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
   explicit PointInverter(Model model, const InversionOptions& options = {});
@@ -82,6 +87,7 @@ public:
 
   /// The foot of one point.
   Foot find(const Vector3& point, const Start& start = {}) const;
+  Foot find(const Vector3& point, const Start& start, Workspace& workspace) const;
 
   /// With all_feet or a fixed direction: all of them, nearest first; else the one foot.
   /// Empty where `find` gives status 3 or 4.
@@ -90,6 +96,18 @@ public:
 private:
   struct Implementation;
   std::unique_ptr<Implementation> Data;
+};
+
+class PointInverter::Workspace
+{
+public:
+  Workspace();
+  ~Workspace();
+
+private:
+  friend class PointInverter;
+  struct Memory;
+  std::unique_ptr<Memory> Data;
 };
 
 /// Feet of many points, in their order.

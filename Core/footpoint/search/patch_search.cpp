@@ -6,6 +6,9 @@
 #include "footpoint/search/stationary_search.h"
 #include "footpoint/solvers/foot_conditions.h"
 
+#include "footpoint/splines/curve.h"
+#include "footpoint/splines/surface.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
@@ -35,6 +38,24 @@ constexpr double kEqualDistance = 1e-12;
 /// that equally spaced minima of equal distance do not pass for one.
 constexpr double kBetween[] = { 0.17, 0.5, 0.79 };
 
+Box box_around(const Points& points)
+{
+  return { points.rowwise().minCoeff(), points.rowwise().maxCoeff() };
+}
+
+/// The box of the control points of a geometry that is a spline; an empty one of another.
+Box control_box(const ParametricCurve& geometry)
+{
+  const auto* curve = dynamic_cast<const Curve*>(&geometry);
+  return curve ? box_around(curve->local_control_points()) : Box{};
+}
+
+Box control_box(const ParametricSurface& geometry)
+{
+  const auto* surface = dynamic_cast<const Surface*>(&geometry);
+  return surface ? box_around(surface->local_control_points()) : Box{};
+}
+
 template <int N>
 class PatchSearchOf : public PatchSearch
 {
@@ -45,17 +66,21 @@ public:
     , Geometry(*this->Shared)
     , Solver(solver)
     , Seeding(seeding)
+    , Bounds(control_box(this->Geometry))
+    , Spline((this->Bounds.lower.array() <= this->Bounds.upper.array()).all())
     , Cells(this->Geometry, minimum_cells)
     , Seeds(this->Geometry, seeding)
-    , Dense(this->Geometry, this->Cells.empty() ? kDenseSeeds : SeedOptions{ 2, 1 })
+    , Dense(this->Geometry, this->Spline ? SeedOptions{ 2, 1 } : kDenseSeeds)
   {
+    if (!this->Spline)
+    {
+      this->Bounds = this->Dense.box();
+    }
   }
 
   double bound(const PatchQuery& query) const override
   {
-    return this->Cells.empty()
-      ? 0.0
-      : this->cell_bound(this->local(query.point), query)(this->Cells.box());
+    return this->Spline ? this->cell_bound(this->local(query.point), query)(this->Bounds) : 0.0;
   }
 
   void search(const PatchQuery& query, const std::function<double()>& limit,
@@ -74,6 +99,28 @@ public:
 
   bool isolated(const Vector3& point, const PatchFoot& foot) const override;
 
+  PatchFoot refine(const Vector3& point, const PatchFoot& foot) const override
+  {
+    SolverOptions solver = this->Solver;
+    solver.safeguards = true;
+    solver.method = Method::Newton;
+    const LocalFoot<N> found = find_local_foot<N>(
+      this->Geometry, this->local(point), Parameter<N>(foot.local.head<N>()), solver);
+    PatchFoot result = foot;
+    if (found.distance <= foot.distance + tie_tolerance(foot.distance, this->Geometry.size()))
+    {
+      result = this->lift(point, found);
+      result.iterations += foot.iterations;
+      return result;
+    }
+    // The other side of a gap, say, where no descent leads.
+    const FootConditions<N> conditions(this->Geometry, this->Solver);
+    result.type = conditions.classify(make_frame<N>(this->Geometry, this->local(point),
+                                        foot.local.head<N>(), foot.sides.head<N>()),
+      this->local(point));
+    return result;
+  }
+
   bool orthogonal(const Vector3& point, const PatchFoot& foot) const override
   {
     LocalFoot<N> local;
@@ -84,7 +131,7 @@ public:
 
   Box box() const override
   {
-    Box box = this->Cells.empty() ? this->Dense.box() : this->Cells.box();
+    Box box = this->Bounds;
     box.lower += this->Geometry.centre();
     box.upper += this->Geometry.centre();
     return box;
@@ -270,6 +317,8 @@ private:
   const ParametricGeometry<N>& Geometry;
   SolverOptions Solver;
   SeedOptions Seeding;
+  Box Bounds;  ///< of the control points, of samples where there are none
+  bool Spline; ///< Bounds holds the geometry
   CellTree<N> Cells;
   SeededSearch<N> Seeds;
   SeededSearch<N> Dense;

@@ -70,7 +70,11 @@ public:
   /// Whether r is orthogonal to the geometry on all sides of the foot.
   virtual bool orthogonal(const Vector3& point, const PatchFoot& foot) const = 0;
 
-  /// The box of the geometry, in model coordinates.
+  /// The minimum that a guarded descent from a foot ends in, over all borders inside the patch; the
+  /// foot itself, with its type, where that is no nearer.
+  virtual PatchFoot refine(const Vector3& point, const PatchFoot& foot) const = 0;
+
+  /// A box around the geometry (of its control points where it has some), in model coordinates.
   virtual Box box() const = 0;
 
   /// Diagonal of the bounding box of the control points.
@@ -87,7 +91,7 @@ public:
   virtual bool lower(const PatchFoot& a, const PatchFoot& b) const = 0;
 };
 
-/// \param minimum_cells see CellTree
+/// \param minimum_cells see CellTree; 0: there will be no global search of this patch
 template <int N>
 std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/model/certified_feet.h"
+
+#include "footpoint/solvers/foot_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace footpoint
+{
+namespace
+{
+
+/// A foot is plain where r is orthogonal to this cosine, or to this fraction of the size, …
+constexpr double kPlainCosine = 1e-12;
+constexpr double kPlainResidual = 1e-13;
+/// … where a boundary holds it with at least this cosine, …
+constexpr double kHeldCosine = 1e-6;
+/// … where the Hessian's smallest eigenvalue, in units of |S_i|, is above this, …
+constexpr double kPlainCurvature = 1e-5;
+/// … and where the sine between S_u and S_v is above this.
+constexpr double kPlainSine = 1e-6;
+
+/// How far the extracted pieces may lie from the geometry by rounding, as a fraction of the size: a
+/// few roundings for each step of the blossom, of the shift to the piece's origin and of the
+/// evaluation (see Documentation/CertifiedSearch.md).
+double extraction_error(int degrees)
+{
+  return (8.0 * degrees + 64.0) * 0x1p-53;
+}
+
+Vector3 vector(const std::array<double, 3>& a)
+{
+  return { a[0], a[1], a[2] };
+}
+
+const Direction& direction_of(const Patch& patch, int i)
+{
+  return patch.curve ? patch.curve->direction(0) : patch.surface->direction(i);
+}
+
+} // namespace
+
+CertifiedFeet::CertifiedFeet(
+  std::vector<Member> members, const Vector3& centre, double size, double tolerance)
+  : Members(std::move(members))
+  , TakesPart(this->Members.size(), false)
+  , Centre(centre)
+  , Size(size)
+{
+  DistanceForms forms;
+  int degrees = 0;
+  for (std::size_t k = 0; k < this->Members.size(); ++k)
+  {
+    const Member& member = this->Members[k];
+    const auto index = static_cast<std::int32_t>(k);
+    if (const auto* curve = dynamic_cast<const Curve*>(member.patch->curve.get()))
+    {
+      forms.add(index, *curve, curve->centre() - centre, member.shared.shared);
+      degrees = std::max(degrees, curve->knots().degree());
+      this->TakesPart[k] = true;
+    }
+    else if (const auto* surface = dynamic_cast<const Surface*>(member.patch->surface.get()))
+    {
+      forms.add(index, *surface, surface->centre() - centre, member.shared.shared);
+      degrees = std::max(degrees, surface->knots(0).degree() + surface->knots(1).degree());
+      this->TakesPart[k] = true;
+    }
+    else
+    {
+      this->Complete = false;
+    }
+  }
+  this->Tolerance = std::max(0.0, tolerance - 2.0 * extraction_error(degrees)) * size;
+  this->Search = CertifiedSearch(std::move(forms));
+}
+
+void CertifiedFeet::find(
+  const Vector3& point, double limit, SearchWorkspace& workspace, CertifiedAnswer& answer) const
+{
+  this->Search.find(
+    { point - this->Centre, limit, this->Size, this->Tolerance }, workspace, answer);
+}
+
+PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const
+{
+  const Piece& piece = this->Search.piece(foot.piece);
+  const bool curve = this->Members[piece.patch].patch->curve != nullptr;
+  PatchFoot result;
+  for (int i = 0; i < (curve ? 1 : 2); ++i)
+  {
+    const int from = curve ? 1 : i;
+    const double t = foot.t[from];
+    result.local(i) = t == 0.0 ? piece.lower[from]
+                               : (t == 1.0 ? piece.upper[from]
+                                           : piece.lower[from] + t * piece.width[from]);
+    result.sides(i) = t == 1.0 ? Side::Left : Side::Right;
+  }
+  result.parameter = this->domain_parameter(foot, piece);
+  result.offset = vector(foot.offset);
+  result.point = this->Centre + vector(foot.position);
+  result.distance = foot.distance;
+  result.converged = true;
+  result.iterations = foot.iterations;
+  return result;
+}
+
+Parameter<2> CertifiedFeet::domain_parameter(const PieceFoot& foot, const Piece& piece) const
+{
+  const Patch& patch = *this->Members[piece.patch].patch;
+  Parameter<2> parameter = Parameter<2>::Zero();
+  for (int i = 0; i < (patch.curve ? 1 : 2); ++i)
+  {
+    const int from = patch.curve ? 1 : i;
+    const double t = foot.t[from];
+    const Direction& direction = direction_of(patch, i);
+    double local = piece.lower[from] + t * piece.width[from];
+    if (t > 0.0 && t < 1.0)
+    {
+      parameter(i) = direction.origin + local;
+      continue;
+    }
+    // Knots come back as the very numbers that the geometry was given.
+    local = t == 0.0 ? piece.lower[from] : piece.upper[from];
+    const auto knot = std::lower_bound(direction.spans.begin(), direction.spans.end(), local);
+    const bool on_knot =
+      !direction.knots.empty() && knot != direction.spans.end() && *knot == local;
+    parameter(i) =
+      on_knot ? direction.knots[knot - direction.spans.begin()] : direction.origin + local;
+  }
+  return parameter;
+}
+
+bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
+{
+  const Piece& piece = this->Search.piece(found.piece);
+  const Member& member = this->Members[piece.patch];
+  const bool curve = member.patch->curve != nullptr;
+  const Vector3 offset = vector(found.offset);
+  std::array<Vector3, 2> first{ { vector(found.first[0]), vector(found.first[1]) } };
+  std::array<double, 2> speed{ { 0.0, 0.0 } };
+  int bounds = 0;
+  bool held[2] = { curve, false };
+  for (int i = curve ? 1 : 0; i < 2; ++i)
+  {
+    const double t = found.t[i];
+    const Direction& direction = direction_of(*member.patch, i);
+    speed[i] = first[i].norm();
+    if (!(speed[i] > kStalledSpeed * direction.speed * piece.width[i]))
+    {
+      return false;
+    }
+    const double residual = found.gradient[i] / speed[i];
+    const bool level = std::abs(residual) <=
+      std::max(kPlainCosine * found.distance, kPlainResidual * this->Size);
+    bool boundary = false;
+    if (t == 0.0 || t == 1.0)
+    {
+      const PieceSide side = piece.sides[i][t == 1.0];
+      if (side == PieceSide::Special)
+      {
+        return false;
+      }
+      boundary = side == PieceSide::Boundary;
+    }
+    bounds += boundary;
+    held[i] = boundary && std::abs(residual) > kHeldCosine * found.distance &&
+      std::abs(residual) > kHeldCosine * this->Size;
+    if (!level && !held[i])
+    {
+      return false;
+    }
+  }
+  // The Hessian over the directions that nothing holds, in units of |S_i|.
+  const double a = held[0] ? 1.0 : found.hessian[0] / (speed[0] * speed[0]);
+  const double c = held[1] ? 1.0 : found.hessian[2] / (speed[1] * speed[1]);
+  const double b = held[0] || held[1] ? 0.0 : found.hessian[1] / (speed[0] * speed[1]);
+  const double least = 0.5 * (a + c) - std::sqrt(0.25 * (a - c) * (a - c) + b * b);
+  if (!(least > kPlainCurvature))
+  {
+    return false;
+  }
+  if (curve)
+  {
+    foot.direction = first[1] / speed[1];
+  }
+  else
+  {
+    const Vector3 normal = first[0].cross(first[1]);
+    const double area = normal.norm();
+    if (!(area > kPlainSine * speed[0] * speed[1]))
+    {
+      return false;
+    }
+    foot.direction = normal / (member.reversed ? -area : area);
+    const bool below = -offset.dot(foot.direction) < 0.0;
+    foot.signed_distance = below ? -found.distance : found.distance;
+  }
+  foot.type = bounds == 0 ? FootType::Interior
+                          : (bounds == 2 || curve ? FootType::Vertex : FootType::Edge);
+  foot.isolated = true;
+  foot.iterations = found.iterations;
+  foot.face = member.face;
+  foot.on_curve = curve;
+  foot.parameter = this->domain_parameter(found, piece);
+  foot.point = this->Centre + vector(found.position);
+  foot.distance = found.distance;
+  return true;
+}
+
+} // namespace footpoint

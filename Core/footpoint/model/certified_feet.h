@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/model/point_inversion.h"
+#include "footpoint/model/shared_borders.h"
+#include "footpoint/search/certified_search.h"
+
+namespace footpoint
+{
+
+/// The certified search over all splines of a model, and its answers as feet.
+class CertifiedFeet
+{
+public:
+  /// One patch of the model, with the index of its face.
+  struct Member
+  {
+    const Patch* patch;
+    int face;
+    bool reversed; ///< the face is
+    SharedBorders shared;
+  };
+
+  /// \param members   the patches that are splines take part; the others are passed over
+  /// \param centre    of the model; queries are measured from there
+  /// \param size      of the model
+  /// \param tolerance certificate tolerance, a fraction of the size
+  CertifiedFeet(
+    std::vector<Member> members, const Vector3& centre, double size, double tolerance);
+
+  /// Whether every patch takes part.
+  bool complete() const { return this->Complete; }
+  bool takes_part(std::size_t member) const { return this->TakesPart[member]; }
+
+  void find(const Vector3& point, double limit, SearchWorkspace& workspace,
+    CertifiedAnswer& answer) const;
+
+  std::size_t member(const PieceFoot& foot) const
+  {
+    return static_cast<std::size_t>(this->Search.piece(foot.piece).patch);
+  }
+
+  /// Where a foot lies, for a descent on the whole patch to start from; its type is left open.
+  PatchFoot patch_foot(const PieceFoot& foot) const;
+
+  /// Fills in everything for a foot inside a smooth part of the geometry or on an open boundary,
+  /// the only one near it; false where it is none of those and has to be looked at more closely.
+  bool plain_foot(const PieceFoot& found, Foot& foot) const;
+
+private:
+  Parameter<2> domain_parameter(const PieceFoot& foot, const Piece& piece) const;
+
+  std::vector<Member> Members;
+  std::vector<bool> TakesPart;
+  bool Complete = true;
+  Vector3 Centre;
+  double Size;
+  double Tolerance; ///< in model units
+  CertifiedSearch Search;
+};
+
+} // namespace footpoint

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/common/types.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace footpoint
+{
+
+/// A hierarchy of axis-parallel boxes, eight children a node, so that one vector operation asks all
+/// of them. Built once; const.
+class BoxTree
+{
+public:
+  static constexpr int kWidth = 8;
+
+  struct alignas(64) Node
+  {
+    double lower[3][kWidth]; ///< +∞ where there is no child: infinitely far
+    double upper[3][kWidth];
+    std::int32_t child[kWidth]; ///< a node; or −1 − k for box k
+  };
+
+  BoxTree() = default;
+  /// \param boxes lower and upper corners
+  explicit BoxTree(const std::vector<std::array<Vector3, 2>>& boxes);
+
+  /// The first is the root; none where there are no boxes.
+  const std::vector<Node>& nodes() const { return this->Nodes; }
+
+private:
+  std::vector<Node> Nodes;
+};
+
+} // namespace footpoint

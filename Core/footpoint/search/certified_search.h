@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/search/box_tree.h"
+#include "footpoint/search/distance_forms.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace footpoint
+{
+
+/// A local minimum of the distance over one piece, found by Newton's method.
+struct PieceFoot
+{
+  std::int32_t piece;
+  std::array<double, 2> t; ///< in the piece, [0, 1]²; curves: t[0] = 0
+  std::array<double, 3> position; ///< S, in the model's centred coordinates
+  std::array<double, 3> offset;   ///< S − P
+  double distance;                ///< |S − P|
+  /// Derivatives by the piece's own parameters.
+  std::array<std::array<double, 3>, 2> first;
+  std::array<double, 2> gradient; ///< of E = ½|S − P|²
+  std::array<double, 3> hessian;  ///< E_uu, E_uv, E_vv
+  std::array<double, 3> weight;   ///< w and its derivatives; polynomials: 1, 0, 0
+  int iterations;
+};
+
+/// Memory that queries share, one for each thread.
+struct SearchWorkspace
+{
+  /// A piece that may hold the nearest point.
+  struct Candidate
+  {
+    std::int32_t piece;
+    double bound; ///< of |S − P|² where the piece is polynomial; else just its order
+    std::array<double, 2> start;
+  };
+  struct Cell
+  {
+    std::array<double, 2> lower;
+    std::array<double, 2> upper;
+    double least; ///< its smallest coefficient …
+    double error; ///< … and the error of all of them from halving
+    int depth;
+  };
+
+  std::vector<Candidate> candidates;
+  std::vector<PieceFoot> survivors; ///< minima of the pieces that have to be proved
+  std::vector<Cell> cells;
+  std::vector<double> coefficients; ///< of the cells, one after the other
+};
+
+struct CertifiedQuery
+{
+  Vector3 point; ///< in the model's centred coordinates
+  /// Nothing farther is sought.
+  double limit;
+  double size;      ///< of the model; feet that tie with the nearest (tie_tolerance) are kept as well
+  double tolerance; ///< what is proved is that no point is nearer than distance − tolerance
+};
+
+struct CertifiedAnswer
+{
+  static constexpr int kMost = 16;
+
+  std::array<PieceFoot, kMost> feet; ///< the nearest first, then those that tie with it, any order
+  int count = 0;                     ///< 0: nothing within the limit
+  bool certified = false;
+};
+
+/// The nearest points of a model of splines, proved to be so.
+///
+/// Branch and bound over Bézier pieces. First the search: boxes nearest first; where the
+/// coefficients of a piece's distance form do not exclude it, Newton's method finds the minimum of
+/// the piece. Then the proof, for the pieces that were not excluded, under the smallest distance
+/// found: a cell holds nothing nearer where
+///   - all coefficients of F are positive; or
+///   - F is monotone along a direction and the side in question holds nothing nearer; or
+///   - F is convex and its tangent plane at one point is positive over the cell;
+/// otherwise it is halved. Documentation/CertifiedSearch.md derives the margins for rounding.
+class CertifiedSearch
+{
+public:
+  CertifiedSearch() = default;
+  explicit CertifiedSearch(DistanceForms forms);
+
+  bool empty() const { return this->Forms.pieces().empty(); }
+  const Piece& piece(std::int32_t k) const { return this->Forms.pieces()[k]; }
+  std::size_t number_of_pieces() const { return this->Forms.pieces().size(); }
+
+  void find(const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const;
+
+private:
+  DistanceForms Forms;
+  BoxTree Tree;
+};
+
+} // namespace footpoint

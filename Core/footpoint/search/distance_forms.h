@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/search/aligned_array.h"
+#include "footpoint/splines/bezier.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace footpoint
+{
+
+/// What a side of a piece is.
+enum class PieceSide : std::uint8_t
+{
+  Smooth,   ///< the geometry goes on, once continuously differentiable
+  Boundary, ///< an open end
+  Special   ///< kink, gap, seam, pole or a border with another patch
+};
+
+/// Degrees of a piece and what follows from them for the layout of its numbers.
+///
+/// Rows run along the first direction, columns along the second. A curve is one row: its only
+/// direction is the second one, and the degree of the first is 0.
+struct PieceShape
+{
+  std::array<int, 2> degree;
+  bool rational;
+  int rows;          ///< of a form, 2 degree[0] + 1
+  int columns;       ///< of a form, 2 degree[1] + 1
+  int stride;        ///< numbers from one row of a form to the next, a multiple of 8
+  int net_size;      ///< numbers of the control net, padded to a multiple of 8
+  int form_size;     ///< rows × stride
+  int number_of_forms; ///< Q, Wx, Wy, Wz and, if rational, W2
+  double roundings;  ///< roundings (units of 2^-53) in the computed value of a form, see DistanceForms
+  /// halving[i][end]: column k, row j is the weight of coefficient k in coefficient j of the half at
+  /// that end (de Casteljau 1959), along direction i; columns are padded like rows of a form for the
+  /// second direction.
+  std::array<std::array<std::vector<double>, 2>, 2> halving;
+
+  PieceShape(int p, int q, bool is_rational);
+};
+
+/// One Bézier piece. Positions are relative to the piece's origin.
+struct Piece
+{
+  const double* net;   ///< rows of (w·x, w·y, w·z, w)
+  const double* forms; ///< Q, Wx, Wy, Wz(, W2), one after the other
+  const PieceShape* shape;
+  std::array<double, 3> origin; ///< in the model's centred coordinates
+  double reach;                 ///< the largest distance of a control point from the origin
+  double greatest_weight;       ///< largest coefficient of W2
+  double least_weight;          ///< smallest one
+  std::array<double, 2> lower;  ///< local parameter of the patch at the piece's start …
+  std::array<double, 2> width;  ///< … and how far it reaches
+  std::array<double, 2> upper;
+  std::int32_t patch;
+  std::array<std::array<PieceSide, 2>, 2> sides; ///< [direction][end]
+};
+
+/// The Bézier pieces of all splines of a model, each with its *distance form*: for a query P and a
+/// number T the polynomial
+///
+///   F(u, v) = w²(|S − P|² − T) = Q − 2 P·W + (|P|² − T) W2,   Q = N·N, W = w N, W2 = w²,
+///
+/// N = w S being the homogeneous coordinates. F is affine in P, so its Bernstein coefficients are
+/// sums of stored ones; where all of them are positive, no point of the piece is nearer than √T
+/// (convex-hull property; T. W. Sederberg and T. Nishita 1990 for the idea).
+///
+/// Built once; const.
+class DistanceForms
+{
+public:
+  /// Adds the pieces of a patch, cut further where `Refinement` says so.
+  /// \param offset of the patch's centre from the model's
+  void add(std::int32_t patch, const Curve& curve, const Vector3& offset,
+    const std::array<std::array<bool, 2>, 2>& special);
+  void add(std::int32_t patch, const Surface& surface, const Vector3& offset,
+    const std::array<std::array<bool, 2>, 2>& special);
+
+  const std::vector<Piece>& pieces() const { return this->Pieces; }
+
+  /// Corners of the box of a piece's control points, in the model's centred coordinates.
+  const std::vector<std::array<Vector3, 2>>& boxes() const { return this->Boxes; }
+
+private:
+  const PieceShape* shape(int p, int q, bool rational);
+  template <int N>
+  void append(std::int32_t patch, std::vector<BezierPiece<N>> pieces,
+    const ParametricGeometry<N>& geometry, bool rational, const Vector3& offset,
+    const std::array<std::array<bool, 2>, 2>& special);
+
+  std::vector<std::unique_ptr<PieceShape>> Shapes;
+  std::vector<AlignedArray> Numbers;
+  std::vector<Piece> Pieces;
+  std::vector<std::array<Vector3, 2>> Boxes;
+};
+
+} // namespace footpoint
