@@ -3,6 +3,7 @@
 #
 #   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, VTK 9.1, Xvfb
 #   Utilities/set_up.sh paraview    the same tools, and ParaView 5.11 in a private folder
+#   Utilities/set_up.sh benchmarks  as vtk, and what Testing/Benchmarks needs and compares with
 #
 # Works as root or through sudo, says what it does, and does nothing where all is there already.
 #
@@ -20,6 +21,8 @@ vtk=(libvtk9-dev python3-vtk9)
 paraview=(libutfcpp-dev libdouble-conversion-dev liblz4-dev liblzma-dev libexpat1-dev
   libpython3-dev libopenmpi-dev zlib1g-dev libgl-dev libglew-dev libx11-dev libpng-dev
   libjpeg-dev libtiff-dev libfreetype-dev)
+benchmarks=(libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
+  libsisl-dev libbenchmark-dev python3-matplotlib)
 
 say() { echo "set-up: $*"; }
 
@@ -108,8 +111,11 @@ paraview)
   unpack_paraview
   install_paraview_libraries
   ;;
+benchmarks)
+  install_packages "${tools[@]}" "${vtk[@]}" "${benchmarks[@]}"
+  ;;
 *)
-  echo "usage: $0 vtk | paraview" >&2
+  echo "usage: $0 vtk | paraview | benchmarks" >&2
   exit 2
   ;;
 esac

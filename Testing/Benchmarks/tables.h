@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "results.h"
+
+namespace inversion_benchmark
+{
+
+/// Processor and compiler, as a Markdown paragraph.
+void print_machine(std::ostream& out);
+
+/// Every shape and class: µs a point and errors of all programs, as Markdown tables.
+void print_comparison(std::ostream& out, const Records& records);
+
+} // namespace inversion_benchmark
