@@ -44,6 +44,8 @@ constexpr double kShortestStep = 1e-15;
 constexpr double kFastDecrease = 1e-2;
 /// A step shorter than this that brings nothing is not cut any further.
 constexpr double kLevelStep = 1e-6;
+/// So near an end of a piece the end itself is tried.
+constexpr double kNearEnd = 1e-4;
 
 using Pair = std::array<double, 2>;
 using Triple = std::array<double, 3>;
@@ -528,7 +530,7 @@ HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& 
   {
     const double t = place->t[i];
     const double end = t < 0.5 ? range.lower[i] : range.upper[i];
-    if (t != end && std::abs(t - end) < kLevelStep)
+    if (t != end && std::abs(t - end) < kNearEnd)
     {
       next->t = place->t;
       next->t[i] = end;

@@ -155,6 +155,42 @@ std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces)
     [](const BezierPiece<N>& piece, int i) { return bend<N>(piece, i); });
 }
 
+/// Where positions of a piece are measured from: a point at which a derivative vanishes (a collapsed
+/// side; a curve's repeated end), so that it comes out with all digits near there, else the middle.
+template <int N>
+Vector3 origin_of(const BezierPiece<N>& piece, double size)
+{
+  auto point = [&](Eigen::Index k) { return Vector3(piece.control.col(k).hnormalized()); };
+  const std::array<Vector3, 2> corners = bounding_box<N>(piece);
+  const Eigen::Index along_u = piece.degree[0] + 1;
+  const Eigen::Index along_v = piece.control.cols() / along_u;
+  auto collapsed = [&](Eigen::Index first, Eigen::Index step, Eigen::Index count)
+  {
+    bool result = true;
+    for (Eigen::Index k = 1; k < count; ++k)
+    {
+      result = result && (point(first + k * step) - point(first)).norm() <= kClosureTolerance * size;
+    }
+    return result;
+  };
+  const Eigen::Index last = piece.control.cols() - 1;
+  if (N == 1)
+  {
+    const bool start = along_u > 2 && collapsed(0, 1, 2);
+    const bool end = along_u > 2 && collapsed(last - 1, 1, 2);
+    return start ? point(0) : (end ? point(last) : Vector3(0.5 * (corners[0] + corners[1])));
+  }
+  if (collapsed(0, 1, along_u) || collapsed(0, along_u, along_v))
+  {
+    return point(0);
+  }
+  if (collapsed(last - along_u + 1, 1, along_u) || collapsed(along_u - 1, along_u, along_v))
+  {
+    return point(last);
+  }
+  return 0.5 * (corners[0] + corners[1]);
+}
+
 PieceSide side_of(const Direction& direction, double at, const std::array<bool, 2>& special)
 {
   const bool start = at == 0.0;
@@ -287,8 +323,8 @@ void DistanceForms::append(std::int32_t patch, std::vector<BezierPiece<N>> piece
   for (const BezierPiece<N>& source : pieces)
   {
     const std::array<Vector3, 2> corners = bounding_box<N>(source);
-    const Vector3 middle = 0.5 * (corners[0] + corners[1]);
-    const Vector3 origin = offset + middle;
+    const Vector3 local_origin = origin_of<N>(source, geometry.size());
+    const Vector3 origin = offset + local_origin;
     // A common factor of the weights changes nothing: a power of two, so that the largest is near 1.
     const double scale = std::ldexp(1.0, -std::ilogb(source.control.row(3).maxCoeff()));
     Piece piece;
@@ -307,7 +343,7 @@ void DistanceForms::append(std::int32_t patch, std::vector<BezierPiece<N>> piece
       {
         const auto control = source.control.col(N == 2 ? j * (p + 1) + i : j);
         const double w = rational ? scale * control(3) : 1.0;
-        const Vector3 at = control.template head<3>() / control(3) - middle;
+        const Vector3 at = control.template head<3>() / control(3) - local_origin;
         reach = std::max(reach, at.norm());
         double* target = net + (i * (q + 1) + j) * 4;
         target[0] = w * at(0);

@@ -106,18 +106,21 @@ public:
     solver.method = Method::Newton;
     const LocalFoot<N> found = find_local_foot<N>(
       this->Geometry, this->local(point), Parameter<N>(foot.local.head<N>()), solver);
-    PatchFoot result = foot;
-    if (found.distance <= foot.distance + tie_tolerance(foot.distance, this->Geometry.size()))
+    const Vector3 query = this->local(point);
+    const FootConditions<N> conditions(this->Geometry, this->Solver);
+    const Frame<N> here = make_frame<N>(
+      this->Geometry, query, foot.local.head<N>(), foot.sides.head<N>());
+    const Frame<N> there = make_frame<N>(this->Geometry, query, found.parameter, found.sides);
+    const double tie = tie_tolerance(foot.distance, this->Geometry.size());
+    if (found.distance < foot.distance ||
+      (found.distance <= foot.distance + tie && conditions.excess(there) < conditions.excess(here)))
     {
-      result = this->lift(point, found);
+      PatchFoot result = this->lift(point, found);
       result.iterations += foot.iterations;
       return result;
     }
-    // The other side of a gap, say, where no descent leads.
-    const FootConditions<N> conditions(this->Geometry, this->Solver);
-    result.type = conditions.classify(make_frame<N>(this->Geometry, this->local(point),
-                                        foot.local.head<N>(), foot.sides.head<N>()),
-      this->local(point));
+    PatchFoot result = foot;
+    result.type = conditions.classify(here, query);
     return result;
   }
 
