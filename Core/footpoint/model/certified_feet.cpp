@@ -136,27 +136,22 @@ bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
   const Piece& piece = this->Search.piece(found.piece);
   const Member& member = this->Members[piece.patch];
   const bool curve = member.patch->curve != nullptr;
-  const Vector3 offset = vector(found.offset);
-  std::array<Vector3, 2> first{ { vector(found.first[0]), vector(found.first[1]) } };
-  std::array<double, 2> speed{ { 0.0, 0.0 } };
+  const std::array<double, 2>& metric = found.metric;
   int bounds = 0;
   bool held[2] = { curve, false };
+  const double nearly = std::max(kPlainCosine * found.distance, kPlainResidual * this->Size);
+  const double steep = kHeldCosine * std::max(found.distance, this->Size);
   for (int i = curve ? 1 : 0; i < 2; ++i)
   {
-    const double t = found.t[i];
-    const Direction& direction = direction_of(*member.patch, i);
-    speed[i] = first[i].norm();
-    if (!(speed[i] > kStalledSpeed * direction.speed * piece.width[i]))
+    const double slowest = kStalledSpeed * direction_of(*member.patch, i).speed * piece.width[i];
+    if (!(metric[i] > slowest * slowest))
     {
       return false;
     }
-    const double residual = found.gradient[i] / speed[i];
-    const bool level = std::abs(residual) <=
-      std::max(kPlainCosine * found.distance, kPlainResidual * this->Size);
     bool boundary = false;
-    if (t == 0.0 || t == 1.0)
+    if (found.t[i] == 0.0 || found.t[i] == 1.0)
     {
-      const PieceSide side = piece.sides[i][t == 1.0];
+      const PieceSide side = piece.sides[i][found.t[i] == 1.0];
       if (side == PieceSide::Special)
       {
         return false;
@@ -164,36 +159,39 @@ bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
       boundary = side == PieceSide::Boundary;
     }
     bounds += boundary;
-    held[i] = boundary && std::abs(residual) > kHeldCosine * found.distance &&
-      std::abs(residual) > kHeldCosine * this->Size;
-    if (!level && !held[i])
+    // The squares of the residual |r·S_i| / |S_i| and of what it is compared with, times |S_i|².
+    const double slope = found.gradient[i] * found.gradient[i];
+    held[i] = boundary && slope > steep * steep * metric[i];
+    if (!held[i] && slope > nearly * nearly * metric[i])
     {
       return false;
     }
   }
-  // The Hessian over the directions that nothing holds, in units of |S_i|.
-  const double a = held[0] ? 1.0 : found.hessian[0] / (speed[0] * speed[0]);
-  const double c = held[1] ? 1.0 : found.hessian[2] / (speed[1] * speed[1]);
-  const double b = held[0] || held[1] ? 0.0 : found.hessian[1] / (speed[0] * speed[1]);
-  const double least = 0.5 * (a + c) - std::sqrt(0.25 * (a - c) * (a - c) + b * b);
-  if (!(least > kPlainCurvature))
+  // The Hessian over the directions that nothing holds, in units of |S_i|; its determinant over its
+  // trace is a lower bound of the smaller eigenvalue.
+  const double a = held[0] ? 1.0 : found.hessian[0] / metric[0];
+  const double c = held[1] ? 1.0 : found.hessian[2] / metric[1];
+  const double bb = held[0] || held[1]
+    ? 0.0
+    : found.hessian[1] * found.hessian[1] / (metric[0] * metric[1]);
+  if (!(a > 0.0 && c > 0.0 && a * c - bb > kPlainCurvature * (a + c)))
   {
     return false;
   }
   if (curve)
   {
-    foot.direction = first[1] / speed[1];
+    foot.direction = vector(found.first[1]) / std::sqrt(metric[1]);
   }
   else
   {
-    const Vector3 normal = first[0].cross(first[1]);
-    const double area = normal.norm();
-    if (!(area > kPlainSine * speed[0] * speed[1]))
+    const Vector3 normal = vector(found.first[0]).cross(vector(found.first[1]));
+    const double squared = normal.squaredNorm();
+    if (!(squared > kPlainSine * kPlainSine * metric[0] * metric[1]))
     {
       return false;
     }
-    foot.direction = normal / (member.reversed ? -area : area);
-    const bool below = -offset.dot(foot.direction) < 0.0;
+    foot.direction = normal / std::copysign(std::sqrt(squared), member.reversed ? -1.0 : 1.0);
+    const bool below = -vector(found.offset).dot(foot.direction) < 0.0;
     foot.signed_distance = below ? -found.distance : found.distance;
   }
   foot.type = bounds == 0 ? FootType::Interior

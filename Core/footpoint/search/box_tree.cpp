@@ -2,6 +2,7 @@
 #include "footpoint/search/box_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -11,6 +12,14 @@ namespace
 {
 
 using Corners = std::array<Vector3, 2>;
+
+/// The largest number in single precision that is not above a number.
+float rounded_down(double value)
+{
+  const auto rounded = static_cast<float>(value);
+  return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity())
+                         : rounded;
+}
 
 /// Builds nodes over ranges of an order of boxes.
 class Builder
@@ -106,8 +115,8 @@ std::int32_t Builder::build(std::size_t begin, std::size_t end)
     BoxTree::Node& node = this->Nodes[index];
     for (int i = 0; i < 3; ++i)
     {
-      node.lower[i][k] = lower(i);
-      node.upper[i][k] = upper(i);
+      node.lower[i][k] = rounded_down(lower(i));
+      node.upper[i][k] = -rounded_down(-upper(i));
     }
     node.child[k] = child;
   }

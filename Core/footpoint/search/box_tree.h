@@ -11,7 +11,7 @@ namespace footpoint
 {
 
 /// A hierarchy of axis-parallel boxes, eight children a node, so that one vector operation asks all
-/// of them. Built once; const.
+/// of them. Corners are kept in single precision, rounded outward. Built once; const.
 class BoxTree
 {
 public:
@@ -19,8 +19,8 @@ public:
 
   struct alignas(64) Node
   {
-    double lower[3][kWidth]; ///< +∞ where there is no child: infinitely far
-    double upper[3][kWidth];
+    float lower[3][kWidth]; ///< +∞ where there is no child: infinitely far
+    float upper[3][kWidth];
     std::int32_t child[kWidth]; ///< a node; or −1 − k for box k
   };
 

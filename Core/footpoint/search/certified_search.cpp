@@ -55,6 +55,12 @@ HWY_INLINE double dot(const double* a, const double* b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// Not smaller than the length of a vector.
+HWY_INLINE double bound_of_length(const double* a)
+{
+  return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
+}
+
 /// Bernstein polynomials of degree n and their first two derivatives.
 HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
 {
@@ -464,17 +470,67 @@ HWY_INLINE void expand(const PieceQuery& query, const Pair& target, Place& place
   complete(query, place);
 }
 
+/// Plain Newton steps from place.t for as long as they stay inside the range, the Hessian is well
+/// positive definite and the point comes nearer: what most descents are. Returns the number of
+/// evaluations; `done` says whether the minimum is reached.
+template <int P, int Q, bool Rational>
+HWY_INLINE int iterate(const PieceQuery& query, const Range& range, Place& place, bool& done)
+{
+  constexpr int kMostSteps = 8;
+  constexpr double kWellDefinite = 1e-6;
+  double before = 1.0;
+  double squared = kInfinity;
+  Pair last = place.t;
+  for (int count = 1;; ++count)
+  {
+    evaluate<P, Q, Rational>(query, place);
+    if (!(place.squared < squared))
+    {
+      place.t = last;
+      evaluate<P, Q, Rational>(query, place);
+      return count + 1;
+    }
+    const Triple& h = place.hessian;
+    const Pair& g = place.gradient;
+    const double determinant = h[0] * h[2] - h[1] * h[1];
+    const double inverse = 1.0 / determinant;
+    const double du = (h[1] * g[1] - h[2] * g[0]) * inverse;
+    const double dv = (h[1] * g[0] - h[0] * g[1]) * inverse;
+    const Pair target{ { place.t[0] + du, place.t[1] + dv } };
+    const double longest = std::max(std::abs(du), std::abs(dv));
+    if (!(h[0] > 0.0 && determinant > kWellDefinite * h[0] * h[2] &&
+          target[0] > range.lower[0] && target[0] < range.upper[0] && target[1] > range.lower[1] &&
+          target[1] < range.upper[1] && count < kMostSteps))
+    {
+      return count;
+    }
+    if (longest <= kShortStep && longest <= kFastDecrease * before)
+    {
+      expand(query, target, place);
+      done = true;
+      return count;
+    }
+    before = longest;
+    squared = place.squared;
+    last = place.t;
+    place.t = target;
+  }
+}
+
 /// Newton's method in a range of a piece, from place.t. Returns the number of evaluations.
 template <int P, int Q, bool Rational>
 HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& result)
 {
   const PieceShape& shape = *query.piece->shape;
-  Place places[2];
+  bool done = false;
+  int count = iterate<P, Q, Rational>(query, range, result, done);
+  if (done)
+  {
+    return count;
+  }
+  Place places[2] = { result, Place{} };
   Place* place = &places[0];
   Place* next = &places[1];
-  place->t = result.t;
-  evaluate<P, Q, Rational>(query, *place);
-  int count = 1;
   double before = 1.0;
   while (count < kMostEvaluations)
   {
@@ -496,18 +552,21 @@ HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& 
       break;
     }
     before = longest;
-    // The rounding of |S − P|²: below it the gradient has to judge.
-    const double level = 16.0 * kRounding *
-      (place->squared + query.piece->reach * std::sqrt(place->squared));
     bool taken = false;
     while (count < kMostEvaluations)
     {
       next->t = target;
       evaluate<P, Q, Rational>(query, *next);
       ++count;
-      taken = next->squared < place->squared ||
-        (next->squared <= place->squared + level &&
-          slope(*next, free) < 0.9 * slope(*place, free));
+      taken = next->squared < place->squared;
+      if (!taken)
+      {
+        // Below the rounding of |S − P|² the gradient has to judge.
+        const double level = 16.0 * kRounding *
+          (place->squared + query.piece->reach * std::sqrt(place->squared));
+        taken = next->squared <= place->squared + level &&
+          slope(*next, free) < 0.9 * slope(*place, free);
+      }
       if (taken || longest < kLevelStep)
       {
         break;
@@ -563,6 +622,22 @@ int descend(const PieceQuery& query, const Range& range, Place& place)
                           : descend_on<-1, -1, true>(query, range, place);
 }
 
+/// Which of up to 64 numbers are at most a limit, one bit each.
+HWY_INLINE std::uint64_t at_most(const double* values, int count, double limit)
+{
+  const hn::CappedTag<double, 8> tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const auto wanted = hn::Set(tag, limit);
+  std::uint64_t result = 0;
+  for (int k = 0; k < count; k += lanes)
+  {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(tag, hn::Le(hn::LoadU(tag, values + k), wanted), bits);
+    result |= static_cast<std::uint64_t>(bits[0]) << k;
+  }
+  return result;
+}
+
 /// Ranges of the first and second differences of the coefficients of F.
 struct Differences
 {
@@ -588,6 +663,7 @@ public:
       this->P[k] = query.point(k);
     }
     this->Bound = query.limit;
+    this->SquaredBound = query.limit * query.limit;
   }
 
   void run()
@@ -647,7 +723,7 @@ private:
 
   /// Computes the coefficients of F into `target`; returns the smallest one.
   double form(const PieceQuery& query, double constant, double* target) const;
-  Pair start_of(const PieceShape& shape, const double* coefficients, double least) const;
+  static Pair start_of(const PieceShape& shape, const double* coefficients, double least);
   static Differences differences(const PieceShape& shape, const double* f);
   static double halve(const PieceShape& shape, const double* f, int direction, int end, double* to);
 
@@ -700,7 +776,16 @@ private:
   CertifiedAnswer& Answer;
   double P[3];
   double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
-  std::int32_t Seeded = -1;  ///< the piece that seed() has dealt with
+  double SquaredBound = kInfinity;
+  /// The way that seed() went down the tree.
+  struct Visit
+  {
+    HWY_ALIGN double squared[BoxTree::kWidth];
+    std::int32_t node;
+    int followed;
+  };
+  Visit Path[16];
+  int Depth = 0;
   std::int32_t Nearest = -1; ///< the piece whose corner gave Bound, and the corner
   Pair Corner{ { 0.0, 0.0 } };
   int Cells = 0;
@@ -714,7 +799,7 @@ Finder::Level Finder::level_of(const PieceQuery& query) const
 {
   const Piece& piece = *query.piece;
   const PieceFoot& foot = this->best();
-  const double far = std::sqrt(dot(query.p, query.p));
+  const double far = bound_of_length(query.p);
   double f[3];
   Level level{ 0.0, 0.0, foot.distance * foot.distance };
   for (int k = 0; k < 3; ++k)
@@ -722,7 +807,7 @@ Finder::Level Finder::level_of(const PieceQuery& query) const
     f[k] = foot.position[k] - piece.origin[k];
     level.constant += f[k] * (2.0 * query.p[k] - f[k]);
   }
-  const double reach = std::sqrt(dot(f, f));
+  const double reach = bound_of_length(f);
   level.margin = piece.shape->roundings * kRounding *
     (piece.reach * (piece.reach + 4.0 * far) + reach * (reach + 4.0 * far));
   return level;
@@ -735,7 +820,7 @@ Finder::Level Finder::level_of(const PieceQuery& query, double distance) const
   const double level = distance * distance;
   return { squared - level,
     piece.shape->roundings * kRounding *
-      (piece.reach * (piece.reach + 4.0 * std::sqrt(squared)) + squared + level),
+      (piece.reach * (piece.reach + 4.0 * bound_of_length(query.p)) + squared + level),
     level };
 }
 
@@ -801,23 +886,15 @@ HWY_INLINE double parabola_start(double before, double here, double after, int a
 }
 
 /// Where to start from, near the smallest coefficient.
-Pair Finder::start_of(const PieceShape& shape, const double* coefficients, double least) const
+Pair Finder::start_of(const PieceShape& shape, const double* coefficients, double least)
 {
-  const hn::CappedTag<double, 8> tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  const auto wanted = hn::Set(tag, least);
   int k = 0;
-  for (; k + lanes < shape.form_size; k += lanes)
+  std::uint64_t bits = 0;
+  for (; bits == 0 && k < shape.form_size; k += 64)
   {
-    if (!hn::AllFalse(tag, hn::Eq(hn::LoadU(tag, coefficients + k), wanted)))
-    {
-      break;
-    }
+    bits = at_most(coefficients + k, std::min(64, shape.form_size - k), least);
   }
-  while (k + 1 < shape.form_size && coefficients[k] != least)
-  {
-    ++k;
-  }
+  k = bits == 0 ? 0 : k - 64 + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
   const int row = k / shape.stride;
   const int column = std::min(k % shape.stride, shape.columns - 1);
   Pair start{ { 0.0, 0.0 } };
@@ -935,9 +1012,11 @@ double Finder::halve(const PieceShape& shape, const double* f, int direction, in
 
 // === The search ===
 
+/// Squared distances of the boxes of a node from the query.
 HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared) const
 {
   const hn::CappedTag<double, 8> tag;
+  const hn::Rebind<float, decltype(tag)> single;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const auto zero = hn::Zero(tag);
   for (int k = 0; k < BoxTree::kWidth; k += lanes)
@@ -946,9 +1025,9 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
     for (int i = 0; i < 3; ++i)
     {
       const auto p = hn::Set(tag, this->P[i]);
-      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), p);
-      const auto above = hn::Sub(p, hn::LoadU(tag, node.upper[i] + k));
-      const auto way = hn::Max(hn::Max(below, above), zero);
+      const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
+      const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
+      const auto way = hn::Max(hn::Max(hn::Sub(lower, p), hn::Sub(p, upper)), zero);
       sum = hn::MulAdd(way, way, sum);
     }
     hn::StoreU(sum, tag, squared + k);
@@ -959,6 +1038,7 @@ void Finder::seed()
 {
   const std::vector<BoxTree::Node>& nodes = this->Tree.nodes();
   const hn::CappedTag<double, 8> tag;
+  const hn::Rebind<float, decltype(tag)> single;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   /// Weight of the distance of the box's middle: it decides between boxes that hold the point.
   const auto slight = hn::Set(tag, 1e-3);
@@ -967,34 +1047,34 @@ void Finder::seed()
   do
   {
     const BoxTree::Node& node = nodes[child];
+    Visit& visit = this->Path[this->Depth++];
+    visit.node = child;
+    this->box_distances(node, visit.squared);
     HWY_ALIGN double score[BoxTree::kWidth];
-    this->box_distances(node, score);
     auto least = hn::Set(tag, kInfinity);
     for (int k = 0; k < BoxTree::kWidth; k += lanes)
     {
       auto middle = hn::Zero(tag);
       for (int i = 0; i < 3; ++i)
       {
-        const auto way = hn::Sub(
-          hn::Mul(half, hn::Add(hn::LoadU(tag, node.lower[i] + k), hn::LoadU(tag, node.upper[i] + k))),
-          hn::Set(tag, this->P[i]));
+        const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
+        const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
+        const auto way = hn::NegMulAdd(half, hn::Add(lower, upper), hn::Set(tag, this->P[i]));
         middle = hn::MulAdd(way, way, middle);
       }
-      const auto value = hn::MulAdd(slight, middle, hn::LoadU(tag, score + k));
+      const auto value = hn::MulAdd(slight, middle, hn::LoadU(tag, visit.squared + k));
       hn::StoreU(value, tag, score + k);
       least = hn::Min(least, value);
     }
     const double value = hn::GetLane(hn::MinOfLanes(tag, least));
-    int k = 0;
-    while (k + 1 < BoxTree::kWidth && score[k] != value)
-    {
-      ++k;
-    }
-    child = node.child[k];
+    // The first child where rounding to nothing comparable leaves no bit set.
+    const std::uint64_t bits = at_most(score, BoxTree::kWidth, value) | 0x80;
+    visit.followed = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+    child = node.child[visit.followed];
   } while (child >= 0);
 
-  this->Seeded = -1 - child;
-  const PieceQuery query = this->at(this->Seeded);
+  const std::int32_t index = -1 - child;
+  const PieceQuery query = this->at(index);
   const PieceShape& shape = *query.piece->shape;
   const Level level = this->reach_of(query);
   double* f = this->coefficients(0, shape.form_size);
@@ -1003,15 +1083,14 @@ void Finder::seed()
   {
     return;
   }
-  const Pair start = this->start_of(shape, f, least);
   this->bound_by_corners(query, f, level.level, level.margin);
   if (least + level.level < 0.25 * this->Bound * this->Bound)
   {
-    this->descend_from(query, start);
+    this->descend_from(query, start_of(shape, f, least));
   }
   else
   {
-    this->Workspace.candidates.push_back({ this->Seeded, least + level.level, start });
+    this->Workspace.candidates.push_back({ index, least + level.level });
   }
 }
 
@@ -1026,8 +1105,9 @@ void Finder::bound_by_corners(
     const int column = corner % 2 * (shape.columns - 1);
     const int k = row * shape.stride + column;
     const double squared = (shape.rational ? f[k] / weights[k] : f[k]) + level + 2.0 * margin;
-    if (squared < this->Bound * this->Bound)
+    if (squared < this->SquaredBound)
     {
+      this->SquaredBound = squared;
       this->Bound = std::sqrt(std::max(squared, 0.0)) * (1.0 + 4.0 * kRounding);
       this->Nearest = query.index;
       this->Corner = { { corner / 2 * 1.0, corner % 2 * 1.0 } };
@@ -1041,26 +1121,13 @@ void Finder::collect()
   // Each level leaves at most seven siblings behind; 2^32 boxes are eleven levels.
   std::int32_t stack[BoxTree::kWidth * 16];
   int top = 0;
-  stack[top++] = 0;
-  const hn::CappedTag<double, 8> tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  // The distance of a box is rounded a few times, in relative terms.
-  constexpr double kOutward = 1.0 + 32.0 * kRounding;
-  while (top > 0)
+  auto take = [&](const BoxTree::Node& node, const double* squared, std::uint64_t except)
   {
-    const BoxTree::Node& node = nodes[stack[--top]];
-    HWY_ALIGN double squared[BoxTree::kWidth];
-    this->box_distances(node, squared);
+    // The distance of a box is rounded a few times, in relative terms.
+    constexpr double kOutward = 1.0 + 32.0 * kRounding;
     const double reach = this->reach();
     const double limit = std::min(reach * reach * kOutward, std::numeric_limits<double>::max());
-    std::uint64_t hits = 0;
-    for (int k = 0; k < BoxTree::kWidth; k += lanes)
-    {
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(
-        tag, hn::Le(hn::LoadU(tag, squared + k), hn::Set(tag, limit)), bits);
-      hits |= static_cast<std::uint64_t>(bits[0]) << k;
-    }
+    std::uint64_t hits = at_most(squared, BoxTree::kWidth, limit) & ~except;
     for (; hits != 0; hits &= hits - 1)
     {
       const std::int32_t child = node.child[hwy::Num0BitsBelowLS1Bit_Nonzero64(hits)];
@@ -1068,10 +1135,23 @@ void Finder::collect()
       {
         stack[top++] = child;
       }
-      else if (-1 - child != this->Seeded)
+      else
       {
         this->collect(-1 - child);
       }
+    }
+  };
+  // What seed() passed on its way, the nearest first.
+  for (int k = this->Depth - 1; k >= 0; --k)
+  {
+    const Visit& visit = this->Path[k];
+    take(nodes[visit.node], visit.squared, std::uint64_t(1) << visit.followed);
+    while (top > 0)
+    {
+      const BoxTree::Node& node = nodes[stack[--top]];
+      HWY_ALIGN double squared[BoxTree::kWidth];
+      this->box_distances(node, squared);
+      take(node, squared, 0);
     }
   }
 }
@@ -1087,37 +1167,35 @@ void Finder::collect(std::int32_t index)
   {
     return;
   }
-  this->Workspace.candidates.push_back(
-    { index, least + level.level, this->start_of(shape, f, least) });
+  this->Workspace.candidates.push_back({ index, least + level.level });
   this->bound_by_corners(query, f, level.level, level.margin);
 }
 
 void Finder::descend_on_candidates()
 {
   std::vector<SearchWorkspace::Candidate>& candidates = this->Workspace.candidates;
-  std::sort(candidates.begin(), candidates.end(),
-    [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
-    { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; });
+  if (candidates.size() > 1)
+  {
+    std::sort(candidates.begin(), candidates.end(),
+      [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
+      { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; });
+  }
   for (const SearchWorkspace::Candidate& candidate : candidates)
   {
     const PieceQuery query = this->at(candidate.piece);
+    const PieceShape& shape = *query.piece->shape;
     const Level level = this->reach_of(query);
-    if (!query.piece->shape->rational)
+    if (!shape.rational && candidate.bound >= level.level + 2.0 * level.margin)
     {
-      if (candidate.bound >= level.level + 2.0 * level.margin)
-      {
-        continue;
-      }
+      continue;
     }
-    else
+    double* f = this->coefficients(0, shape.form_size);
+    const double least = this->form(query, level.constant - level.margin, f);
+    if (this->Bound < kInfinity && least >= 0.0)
     {
-      double* f = this->coefficients(0, query.piece->shape->form_size);
-      if (this->Bound < kInfinity && this->form(query, level.constant - level.margin, f) >= 0.0)
-      {
-        continue;
-      }
+      continue;
     }
-    this->descend_from(query, candidate.start);
+    this->descend_from(query, start_of(shape, f, least));
   }
   if (!this->found() && this->Nearest >= 0)
   {
@@ -1150,6 +1228,7 @@ PieceFoot Finder::foot_of(const PieceQuery& query, const Place& place, int itera
   foot.distance = std::sqrt(place.squared);
   foot.gradient = place.gradient;
   foot.hessian = place.hessian;
+  foot.metric = { { place.metric[0], place.metric[1] } };
   const bool rational = query.piece->shape->rational;
   foot.weight = { { rational ? place.jet[3][0] : 1.0, rational ? place.jet[3][1] : 0.0,
     rational ? place.jet[3][2] : 0.0 } };

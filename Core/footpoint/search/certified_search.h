@@ -23,6 +23,7 @@ struct PieceFoot
   std::array<std::array<double, 3>, 2> first;
   std::array<double, 2> gradient; ///< of E = ½|S − P|²
   std::array<double, 3> hessian;  ///< E_uu, E_uv, E_vv
+  std::array<double, 2> metric;   ///< |S_u|², |S_v|²
   std::array<double, 3> weight;   ///< w and its derivatives; polynomials: 1, 0, 0
   int iterations;
 };
@@ -35,7 +36,6 @@ struct SearchWorkspace
   {
     std::int32_t piece;
     double bound; ///< of |S − P|² where the piece is polynomial; else just its order
-    std::array<double, 2> start;
   };
   struct Cell
   {
