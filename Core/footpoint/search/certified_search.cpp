@@ -492,15 +492,25 @@ HWY_INLINE int iterate(const PieceQuery& query, const Range& range, Place& place
     }
     const Triple& h = place.hessian;
     const Pair& g = place.gradient;
-    const double determinant = h[0] * h[2] - h[1] * h[1];
-    const double inverse = 1.0 / determinant;
-    const double du = (h[1] * g[1] - h[2] * g[0]) * inverse;
-    const double dv = (h[1] * g[0] - h[0] * g[1]) * inverse;
-    const Pair target{ { place.t[0] + du, place.t[1] + dv } };
-    const double longest = std::max(std::abs(du), std::abs(dv));
-    if (!(h[0] > 0.0 && determinant > kWellDefinite * h[0] * h[2] &&
-          target[0] > range.lower[0] && target[0] < range.upper[0] && target[1] > range.lower[1] &&
-          target[1] < range.upper[1] && count < kMostSteps))
+    Pair step;
+    bool definite;
+    if (P == 0)
+    {
+      definite = h[2] > kWellDefinite * place.metric[1];
+      step = { { 0.0, -g[1] / h[2] } };
+    }
+    else
+    {
+      const double determinant = h[0] * h[2] - h[1] * h[1];
+      const double inverse = 1.0 / determinant;
+      definite = h[0] > 0.0 && determinant > kWellDefinite * h[0] * h[2];
+      step = { { (h[1] * g[1] - h[2] * g[0]) * inverse, (h[1] * g[0] - h[0] * g[1]) * inverse } };
+    }
+    const Pair target{ { place.t[0] + step[0], place.t[1] + step[1] } };
+    const double longest = std::max(std::abs(step[0]), std::abs(step[1]));
+    const bool inside = target[1] > range.lower[1] && target[1] < range.upper[1] &&
+      (P == 0 || (target[0] > range.lower[0] && target[0] < range.upper[0]));
+    if (!definite || !inside || count >= kMostSteps)
     {
       return count;
     }
@@ -614,6 +624,7 @@ int descend(const PieceQuery& query, const Range& range, Place& place)
   if (!shape.rational)
   {
     return p == 3 && q == 3 ? descend_on<3, 3, false>(query, range, place)
+      : p == 0 && q == 3    ? descend_on<0, 3, false>(query, range, place)
       : p == 0              ? descend_on<0, -1, false>(query, range, place)
                             : descend_on<-1, -1, false>(query, range, place);
   }
@@ -746,6 +757,17 @@ private:
   // === The proof ===
 
   bool prove_all();
+  /// Differences of coefficients beyond these have their sign in exact numbers, and for T = d² as
+  /// well as for T = d² − Slack. \param error of the coefficients, from halving
+  double least_first_difference(double error) const
+  {
+    return 2.0 * (this->Margin + error) + this->Shift;
+  }
+  double least_second_difference(double error) const
+  {
+    return 4.0 * (this->Margin + error + this->Shift);
+  }
+
   enum class Verdict
   {
     Proved,
@@ -792,6 +814,7 @@ private:
   // Of the piece that is being proved:
   double Slack = 0.0;   ///< d² − (d − tolerance)²
   double Margin = 0.0;  ///< bound of the error of a coefficient of the piece
+  double Shift = 0.0;   ///< bound of what Slack adds to a coefficient beyond a constant
   const PieceFoot* Known = nullptr;
 };
 
@@ -1312,6 +1335,7 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   const double tolerance = std::min(this->Query.tolerance, distance);
   this->Slack = this->found() ? tolerance * (2.0 * distance - tolerance) : 0.0;
   this->Margin = level.margin * piece.greatest_weight;
+  this->Shift = shape.rational ? this->Slack * piece.greatest_weight : 0.0;
   this->Known = &survivor;
   const int size = shape.form_size;
   const bool has_u = shape.rows > 1;
@@ -1339,9 +1363,8 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     }
     double* f = this->coefficients(at, size);
     const Differences d = differences(shape, f);
-    // Differences beyond these have their sign in exact numbers and for T = d² as well.
-    const double first = 2.0 * (this->Margin + cell.error);
-    const double second = 2.0 * first + 4.0 * this->Slack * piece.greatest_weight;
+    const double first = this->least_first_difference(cell.error);
+    const double second = this->least_second_difference(cell.error);
     const Range range{ cell.lower, cell.upper };
     Verdict verdict = Verdict::Open;
     const double uv = d.greatest_uv + second;
@@ -1468,8 +1491,8 @@ Finder::Verdict Finder::prove_side(const PieceQuery& query, const Range& cell, c
     Range here = range;
     here.lower[direction] = line.lower;
     here.upper[direction] = line.upper;
-    const double first = 2.0 * (this->Margin + line.error);
-    const double second = 2.0 * first + 4.0 * this->Slack * query.piece->greatest_weight;
+    const double first = this->least_first_difference(line.error);
+    const double second = this->least_second_difference(line.error);
     Verdict verdict = Verdict::Open;
     if (n == 0 || least_first > first || greatest_first < -first)
     {

@@ -52,9 +52,9 @@ std::vector<double> halving_weights(int n, int end, int stride)
 /// A piece is cut until its weights differ by no more than this ratio, and its control net is no
 /// farther from straight than this part of its extent; the latter only while there are few pieces,
 /// since cells that are small beside the distances in question need no better shape.
-constexpr double kWeightRatio = 1.5;
+constexpr double kWeightRatio = 3.0;
 constexpr double kStraightness = 0.1;
-constexpr std::size_t kFewPieces = 256;
+constexpr std::size_t kFewPieces = 1024;
 constexpr int kWeightCuts = 50;
 constexpr std::size_t kWeightPieces = 4096; ///< that many more a patch, at most
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// The certified search for itself: vector instructions, order, certificates that must not be given.
+
+#include "Inversion.h"
+
+#include <hwy/targets.h>
+
+#include <algorithm>
+
+using footpoint::InversionOptions;
+using footpoint::Points;
+using footpoint::Surface;
+using namespace inversion;
+
+namespace
+{
+
+/// On, near, off and far from a surface.
+Points queries_about(const Surface& surface, std::uint64_t seed)
+{
+  constexpr int kEach = 200;
+  shapes::Random random(seed);
+  Points points(3, 4 * kEach);
+  for (int k = 0; k < points.cols(); ++k)
+  {
+    Parameter<2> t;
+    for (int i = 0; i < 2; ++i)
+    {
+      t(i) = random.uniform(0.0, surface.direction(i).length);
+    }
+    const double reach[] = { 0.0, 1e-3, 0.1, 3.0 };
+    points.col(k) = surface.centre() + surface.point(t) +
+      reach[k / kEach] * surface.size() * random.vector(-1.0, 1.0);
+  }
+  return points;
+}
+
+/// Runs with one set of vector instructions only, and puts things back at the end.
+class OnlyTarget
+{
+public:
+  explicit OnlyTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
+  ~OnlyTarget() { hwy::SetSupportedTargetsForTest(0); }
+};
+
+} // namespace
+
+TEST(CertifiedSearch, VectorInstructionsAgree)
+{
+  for (const Surface& surface : { shapes::bumpy(12, 3, 0.3), shapes::sphere(), shapes::torus() })
+  {
+    const Points points = queries_about(surface, 17);
+    const PointInverter inverter(model_of(surface));
+    const footpoint::InversionResult best = footpoint::invert(inverter, points);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+    {
+      SCOPED_TRACE(hwy::TargetName(target));
+      const OnlyTarget only(target);
+      const footpoint::InversionResult result = footpoint::invert(inverter, points);
+      for (int k = 0; k < points.cols(); ++k)
+      {
+        EXPECT_EQ(result.feet[k].status, Status::Certified);
+        EXPECT_NEAR(result.feet[k].distance, best.feet[k].distance,
+          1e-14 * std::max(inverter.size(), best.feet[k].distance));
+      }
+    }
+  }
+}
+
+TEST(CertifiedSearch, QueriesBesideTheCentreOfASphere)
+{
+  // The distance varies by 1e-9 … 1e-14 over the whole surface.
+  const PointInverter inverter(model_of(shapes::sphere()));
+  shapes::Random random(5);
+  for (const double shift : { 1e-9, 1e-11, 1e-12, 1e-13, 1e-14 })
+  {
+    for (int k = 0; k < 20; ++k)
+    {
+      const Vector3 query = random.vector(-1.0, 1.0).normalized() * shift;
+      const Foot foot = inverter.find(query);
+      EXPECT_LE(foot.status, Status::Converged);
+      EXPECT_NEAR(foot.distance, 1.0 - query.norm(), 1e-12 * inverter.size());
+    }
+  }
+}
+
+TEST(CertifiedSearch, NoToleranceNoCertificate)
+{
+  InversionOptions options;
+  options.certificate_tolerance = 0.0;
+  const Surface surface = shapes::bumpy(8, 3, 0.3);
+  const PointInverter strict(model_of(surface), options);
+  const PointInverter usual(model_of(surface));
+  const Points points = queries_about(surface, 18);
+  int certified = 0;
+  for (int k = 0; k < points.cols(); k += 10)
+  {
+    const Foot foot = strict.find(points.col(k));
+    // What is level to rounding is never proved to the last bit.
+    certified += foot.status == Status::Certified;
+    EXPECT_EQ(foot.distance, usual.find(points.col(k)).distance);
+  }
+  // Far corners are proved without any tolerance; most others are not.
+  EXPECT_LT(certified, 40);
+}
+
+TEST(CertifiedSearch, NothingWithinTheMaximumDistance)
+{
+  const Surface surface = shapes::torus();
+  const Points points = queries_about(surface, 19);
+  const PointInverter all(model_of(surface));
+  InversionOptions options;
+  options.maximum_distance = 0.05 * all.size();
+  const PointInverter some(model_of(surface), options);
+  for (int k = 0; k < points.cols(); ++k)
+  {
+    const Foot expected = all.find(points.col(k));
+    const Foot foot = some.find(points.col(k));
+    if (expected.distance > options.maximum_distance)
+    {
+      EXPECT_EQ(foot.status, Status::BeyondMaximumDistance);
+      continue;
+    }
+    EXPECT_EQ(foot.status, Status::Certified);
+    EXPECT_NEAR(foot.distance, expected.distance, 1e-14 * all.size());
+  }
+}
