@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Judges for the core, in long double, that share no line with it: B-splines by the definition of
-/// Cox and de Boor, nearest points by brute force without derivatives. Slow and plain on purpose.
+/// A judge for the core, in long double, that shares no line with it: B-splines by the definition
+/// of Cox and de Boor. Slow and plain on purpose.
 
 #include <Eigen/Core>
 
@@ -44,9 +44,25 @@ public:
     }
   }
 
+  /// Moves the origin of space: subtracts the same vector from all control points.
+  void subtract(const Vector& origin) { this->Positions.colwise() -= origin; }
+
   int degree(int i) const { return this->Degrees[i]; }
   int count(int i) const { return static_cast<int>(this->Knots[i].size()) - this->Degrees[i] - 1; }
   Real knot(int i, int k) const { return this->Knots[i][k]; }
+
+  /// A control point as (x·w, y·w, z·w, w).
+  Eigen::Matrix<Real, 4, 1> homogeneous(Eigen::Index k) const
+  {
+    const Real w = this->Weights[k];
+    return { w * this->Positions(0, k), w * this->Positions(1, k), w * this->Positions(2, k), w };
+  }
+
+  /// Diagonal of the box of the control points.
+  Real size() const
+  {
+    return (this->Positions.rowwise().maxCoeff() - this->Positions.rowwise().minCoeff()).norm();
+  }
 
   /// Indices k of all spans [k, k + 1) of positive length in the domain.
   std::vector<int> spans(int i) const
@@ -144,266 +160,6 @@ private:
   std::array<std::vector<Real>, N> Knots;
   Eigen::Matrix<Real, 3, Eigen::Dynamic> Positions;
   Eigen::Matrix<Real, Eigen::Dynamic, 1> Weights;
-};
-
-/// A nearest point: distance, parameters in the spline's own domain, place.
-template <int N>
-struct Foot
-{
-  Real distance = std::numeric_limits<Real>::infinity();
-  std::array<Real, N> parameter{};
-  Vector point = Vector::Zero();
-};
-
-/// Nearest points on a spline: a dense grid in every span, then every grid minimum that can still
-/// win is refined inside its span. Spans are closed boxes of their own, so that boundaries, seams,
-/// kinks and gaps need no special care. Distances are good to about 1e-15 of the size.
-template <int N>
-class Nearest
-{
-public:
-  using Parameters = std::array<Real, N>;
-
-  /// \param samples per span and direction; 0: 2·degree + 4
-  explicit Nearest(const Spline<N>& geometry, int samples = 0)
-    : Geometry(geometry)
-  {
-    for (int i = 0; i < N; ++i)
-    {
-      this->Samples[i] = samples > 0 ? samples : 2 * geometry.degree(i) + 4;
-    }
-    for (const int v : N == 1 ? std::vector<int>{ 0 } : geometry.spans(N - 1))
-    {
-      for (const int u : geometry.spans(0))
-      {
-        typename Spline<N>::Spans spans;
-        spans[N - 1] = v;
-        spans[0] = u;
-        this->Boxes.push_back(this->sample(spans));
-      }
-    }
-  }
-
-  Foot<N> operator()(const Vector& query) const
-  {
-    // === Upper bound from the grid
-    std::vector<Real> lower(this->Boxes.size());
-    Real bound = std::numeric_limits<Real>::infinity();
-    for (std::size_t b = 0; b < this->Boxes.size(); ++b)
-    {
-      const Box& box = this->Boxes[b];
-      lower[b] = (query - box.middle).norm() - box.radius - box.spacing;
-      if (lower[b] <= bound)
-      {
-        bound = std::min(
-          bound, std::sqrt((box.points.colwise() - query).colwise().squaredNorm().minCoeff()));
-      }
-    }
-    // === Refine what can still win
-    Foot<N> best;
-    for (std::size_t b = 0; b < this->Boxes.size(); ++b)
-    {
-      if (lower[b] <= bound)
-      {
-        this->refine_minima(this->Boxes[b], query, bound, best);
-      }
-    }
-    return best;
-  }
-
-private:
-  struct Box
-  {
-    typename Spline<N>::Spans spans;
-    Eigen::Matrix<Real, 3, Eigen::Dynamic> points;
-    Vector middle;
-    Real radius;
-    Real spacing; ///< twice the largest distance of neighbouring samples
-  };
-
-  int rows() const { return N == 1 ? 1 : this->Samples[N - 1]; }
-
-  /// Own parameters of a place given as fractions of the span.
-  Parameters at(const Box& box, const Parameters& fraction) const
-  {
-    Parameters t;
-    for (int i = 0; i < N; ++i)
-    {
-      const Real a = this->Geometry.knot(i, box.spans[i]);
-      const Real b = this->Geometry.knot(i, box.spans[i] + 1);
-      t[i] = fraction[i] == 1.0L ? b : a + fraction[i] * (b - a);
-    }
-    return t;
-  }
-
-  Parameters grid_fraction(int i, int j) const
-  {
-    Parameters fraction;
-    fraction[N - 1] = static_cast<Real>(j) / std::max(1, this->rows() - 1);
-    fraction[0] = static_cast<Real>(i) / (this->Samples[0] - 1);
-    return fraction;
-  }
-
-  Box sample(const typename Spline<N>::Spans& spans) const
-  {
-    Box box;
-    box.spans = spans;
-    const int columns = this->Samples[0];
-    box.points.resize(3, columns * this->rows());
-    box.spacing = 0.0L;
-    for (int j = 0; j < this->rows(); ++j)
-    {
-      for (int i = 0; i < columns; ++i)
-      {
-        const int k = j * columns + i;
-        box.points.col(k) =
-          this->Geometry.evaluate(spans, this->at(box, this->grid_fraction(i, j)));
-        for (const int neighbour : { i > 0 ? k - 1 : k, j > 0 ? k - columns : k })
-        {
-          const Real gap = (box.points.col(k) - box.points.col(neighbour)).norm();
-          box.spacing = std::max(box.spacing, 2.0L * gap);
-        }
-      }
-    }
-    box.middle = box.points.rowwise().mean();
-    box.radius = (box.points.colwise() - box.middle).colwise().norm().maxCoeff();
-    return box;
-  }
-
-  void refine_minima(const Box& box, const Vector& query, Real bound, Foot<N>& best) const
-  {
-    const int columns = this->Samples[0];
-    const Eigen::Matrix<Real, 1, Eigen::Dynamic> squares =
-      (box.points.colwise() - query).colwise().squaredNorm();
-    for (int j = 0; j < this->rows(); ++j)
-    {
-      for (int i = 0; i < columns; ++i)
-      {
-        const Real here = squares[j * columns + i];
-        bool minimum = std::sqrt(here) - box.spacing <= std::min(bound, best.distance);
-        for (int b = std::max(j - 1, 0); b <= std::min(j + 1, this->rows() - 1); ++b)
-        {
-          for (int a = std::max(i - 1, 0); a <= std::min(i + 1, columns - 1); ++a)
-          {
-            minimum = minimum && here <= squares[b * columns + a];
-          }
-        }
-        if (minimum)
-        {
-          this->refine(box, query, this->grid_fraction(i, j), best);
-        }
-      }
-    }
-  }
-
-  /// Shrinking pattern search; a parabola through the pattern proposes further trial points, since
-  /// coordinate steps alone creep in oblique valleys. Only real improvements are accepted.
-  void refine(const Box& box, const Vector& query, Parameters place, Foot<N>& best) const
-  {
-    const auto square = [&](const Parameters& fraction)
-    { return (this->Geometry.evaluate(box.spans, this->at(box, fraction)) - query).squaredNorm(); };
-    Real value = square(place);
-    Real step = 0.5L / (this->Samples[0] - 1);
-    for (int iteration = 0; iteration < 400 && step > 1e-19L && value > 0.0L; ++iteration)
-    {
-      Parameters next = place;
-      Real least = value;
-      for (const Parameters& trial : this->trials(place, step, square))
-      {
-        const Real here = square(trial);
-        if (here < least)
-        {
-          least = here;
-          next = trial;
-        }
-      }
-      Real moved = 0.0L;
-      for (int i = 0; i < N; ++i)
-      {
-        moved = std::max(moved, std::abs(next[i] - place[i]));
-      }
-      place = next;
-      value = least;
-      step = moved >= 0.9L * step ? std::min(1.5L * step, 0.25L) : 0.3L * step;
-    }
-    if (std::sqrt(value) < best.distance)
-    {
-      best.distance = std::sqrt(value);
-      best.parameter = this->at(box, place);
-      best.point = this->Geometry.evaluate(box.spans, best.parameter);
-    }
-  }
-
-  static Real clamp(Real fraction) { return std::min(std::max(fraction, 0.0L), 1.0L); }
-
-  template <class Square>
-  std::vector<Parameters> trials(const Parameters& place, Real step, const Square& square) const
-  {
-    std::vector<Parameters> all;
-    // The parabola's pattern is pushed inside the span, where the piece has no pole.
-    Parameters middle;
-    for (int i = 0; i < N; ++i)
-    {
-      middle[i] = std::min(std::max(place[i], step), 1.0L - step);
-    }
-    std::array<Real, N> gradient;
-    std::array<Real, N> curvature;
-    const Real centre = square(middle);
-    for (int i = 0; i < N; ++i)
-    {
-      Parameters low = middle;
-      Parameters high = middle;
-      low[i] -= step;
-      high[i] += step;
-      const Real a = square(low);
-      const Real b = square(high);
-      gradient[i] = (b - a) / 2.0L;
-      curvature[i] = a - 2.0L * centre + b;
-      for (const Real sign : { -1.0L, 1.0L })
-      {
-        Parameters beside = place;
-        beside[i] = clamp(place[i] + sign * step);
-        all.push_back(beside);
-      }
-      Parameters along = middle; // minimum of the parabola in this direction alone
-      along[i] = clamp(middle[i] - step * gradient[i] / curvature[i]);
-      all.push_back(along);
-      for (int other = 0; other < N; ++other)
-      {
-        if (other != i)
-        {
-          along[other] = place[other]; // also from where we stand, which may be a border
-          all.push_back(along);
-        }
-      }
-    }
-    if constexpr (N == 2)
-    {
-      Real mixed = 0.0L;
-      for (const Real a : { -1.0L, 1.0L })
-      {
-        for (const Real b : { -1.0L, 1.0L })
-        {
-          mixed += a * b / 4.0L * square({ middle[0] + a * step, middle[1] + b * step });
-          all.push_back({ clamp(place[0] + a * step), clamp(place[1] + b * step) });
-        }
-      }
-      const Real determinant = curvature[0] * curvature[1] - mixed * mixed;
-      const Real du = (mixed * gradient[1] - curvature[1] * gradient[0]) / determinant;
-      const Real dv = (mixed * gradient[0] - curvature[0] * gradient[1]) / determinant;
-      all.push_back({ clamp(middle[0] + step * du), clamp(middle[1] + step * dv) });
-    }
-    // 0/0 in flat patterns proposes nothing.
-    all.erase(std::remove_if(all.begin(), all.end(),
-                [](const Parameters& t)
-                { return !(std::abs(t[0]) <= 1.0L && std::abs(t[N - 1]) <= 1.0L); }),
-      all.end());
-    return all;
-  }
-
-  Spline<N> Geometry;
-  std::array<int, N> Samples;
-  std::vector<Box> Boxes;
 };
 
 /// Derivatives of order a (in u) and b (in v; 0 on curves) of the piece on the given spans, by

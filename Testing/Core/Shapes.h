@@ -4,7 +4,7 @@
 /// Named geometries that several tests use; closed forms stand in the comments. Letters with a
 /// number (C1, S5, …) are those of the table of hard cases.
 
-#include "Oracle.h"
+#include "OracleNearest.h"
 
 #include "footpoint/splines/curve.h"
 #include "footpoint/splines/surface.h"
