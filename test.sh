@@ -4,6 +4,7 @@
 #   build/vtk       against VTK 9.1
 #   build/paraview  against ParaView 5.11
 #   build/sanitize  Core alone, with address and undefined-behaviour sanitizers
+#   build/sanitize-threads  Core alone, with the thread sanitizer
 # Goes on after a failure, sums up at the end, and exits with 1 if anything failed.
 set -uo pipefail
 cd "$(dirname "$0")" || exit 1
@@ -38,6 +39,7 @@ build_and_test() {
 step "set-up for VTK" Utilities/set_up.sh vtk && {
   build_and_test vtk
   build_and_test sanitize
+  build_and_test sanitize-threads
 }
 step "set-up for ParaView" Utilities/set_up.sh paraview && build_and_test paraview
 

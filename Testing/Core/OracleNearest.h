@@ -221,34 +221,56 @@ private:
   void descend(Place& place, Point& at, int iterations) const
   {
     const T least = T(2) * std::numeric_limits<T>::epsilon();
+    T damping = T(0);
     for (int iteration = 0; iteration < iterations; ++iteration)
     {
-      const auto [newton, gradient] = this->steps(place);
+      const Model model = this->model(place);
       const Place before = place;
-      bool moved = false;
-      for (T factor = T(1); !moved && factor > T(1e-6); factor *= factor > T(0.2) ? T(0.5) : T(0.1))
+      bool moved = this->move(place, at, model.step(damping), T(1));
+      while (!moved && damping < T(1e8))
       {
-        moved = this->move(place, at, newton, factor);
+        damping = std::max(T(10) * damping, T(1e-8));
+        moved = this->move(place, at, model.step(damping), T(1));
       }
-      for (T factor = T(1); !moved && factor > T(1e-6); factor *= T(0.1))
-      {
-        moved = this->move(place, at, gradient, factor);
-      }
-      if (!moved ||
-        std::max(std::abs(place[0] - before[0]), std::abs(place[1] - before[1])) < least)
+      const T length = std::max(std::abs(place[0] - before[0]), std::abs(place[1] - before[1]));
+      if (!moved || (length < least && damping == T(0)))
       {
         return;
       }
+      damping = damping > T(1e-7) ? damping / T(30) : T(0);
     }
   }
 
-  /// The Newton step and the one down the gradient, with the directions scaled to equal speeds.
-  std::pair<Place, Place> steps(const Place& place) const
+  /// The squared distance about a place to second order, with the directions scaled to equal
+  /// speeds, in the frame of the eigenvectors of its curvature.
+  struct Model
+  {
+    std::array<T, 2> scale; ///< 0: the direction is stuck at a side, or stands still
+    T x, y;                 ///< first eigenvector; the second is (−y, x)
+    std::array<T, 2> gradient;
+    std::array<T, 2> curvature; ///< made positive
+
+    /// The minimum with a damping added to the curvature (Levenberg 1944): in bent valleys it
+    /// shortens steps along them first.
+    Place step(T damping) const
+    {
+      const T first = this->gradient[0] / (this->curvature[0] + damping);
+      const T second = this->gradient[1] / (this->curvature[1] + damping);
+      const Place step{ { -this->scale[0] * (this->x * first - this->y * second),
+        -this->scale[1] * (this->y * first + this->x * second) } };
+      const T longest = std::max(std::abs(step[0]), std::abs(step[1]));
+      const T factor = longest > T(0.3) ? T(0.3) / longest : T(1);
+      return { { factor * step[0], factor * step[1] } };
+    }
+  };
+
+  Model model(const Place& place) const
   {
     const typename Piece<T>::Jet jet = this->Geometry.jet(place);
     const Point r = jet[0] - this->Query;
+    Model model;
     std::array<T, 2> gradient;
-    std::array<T, 2> scale;
+    std::array<T, 2>& scale = model.scale;
     for (int i = 0; i < 2; ++i)
     {
       const T speed = jet[1 + i].norm();
@@ -262,26 +284,14 @@ private:
     const T a = scale[0] > T(0) ? T(1) + scale[0] * scale[0] * r.dot(jet[3]) : T(1);
     const T c = scale[1] > T(0) ? T(1) + scale[1] * scale[1] * r.dot(jet[5]) : T(1);
     const T b = scale[0] * scale[1] * (jet[1].dot(jet[2]) + r.dot(jet[4]));
-    // === Step in the eigenvectors' frame, along each with the absolute curvature
     const T angle = T(0.5) * std::atan2(T(2) * b, a - c);
-    const T x = std::cos(angle);
-    const T y = std::sin(angle);
-    const T along = x * gradient[0] + y * gradient[1];
-    const T across = x * gradient[1] - y * gradient[0];
+    const T x = model.x = std::cos(angle);
+    const T y = model.y = std::sin(angle);
     const T floor = T(1e-14);
-    const T first =
-      along / std::max(std::abs(a * x * x + T(2) * b * x * y + c * y * y), floor);
-    const T second =
-      across / std::max(std::abs(a * y * y - T(2) * b * x * y + c * x * x), floor);
-    const auto limited = [&](T du, T dv)
-    {
-      const Place step{ { -scale[0] * du, -scale[1] * dv } };
-      const T longest = std::max(std::abs(step[0]), std::abs(step[1]));
-      const T factor = longest > T(0.3) ? T(0.3) / longest : T(1);
-      return Place{ { factor * step[0], factor * step[1] } };
-    };
-    return { limited(x * first - y * second, y * first + x * second),
-      limited(gradient[0], gradient[1]) };
+    model.gradient = { { x * gradient[0] + y * gradient[1], x * gradient[1] - y * gradient[0] } };
+    model.curvature = { { std::max(std::abs(a * x * x + T(2) * b * x * y + c * y * y), floor),
+      std::max(std::abs(a * y * y - T(2) * b * x * y + c * x * x), floor) } };
+    return model;
   }
 
   /// Looks around for something lower, as there is at saddles and where a derivative vanishes.
@@ -314,7 +324,7 @@ template <int N>
 class Nearest
 {
 public:
-  /// \param samples least number per span and direction; 0: 2·degree + 4
+  /// \param samples least number per span and direction; 0: what suits the degree
   explicit Nearest(const Spline<N>& geometry, int samples = 0)
     : Geometry(geometry)
     , Size(static_cast<double>(geometry.size()))
@@ -326,7 +336,7 @@ public:
         typename Spline<N>::Spans spans;
         spans[N - 1] = v;
         spans[0] = u;
-        this->Boxes.push_back(this->sample(spans, samples));
+        this->sample(this->piece(spans), samples);
       }
     }
   }
@@ -339,13 +349,17 @@ public:
     Foot<N> best;
     std::vector<Ending> endings;
     double bound = std::numeric_limits<double>::infinity();
+    // Around the centre of a sphere everything ties: enough is enough.
+    constexpr int kTies = 40;
+    int ties = 0;
     for (const Start& start : this->starts(rounded))
     {
-      if (start.distance - start.spacing <= bound)
+      if (ties < kTies && start.distance - kReach * start.spacing <= bound)
       {
         const auto [place, distance] =
-          Descent<double>(this->Boxes[start.box].fast, rounded)(start.place, 40, true);
+          Descent<double>(this->Boxes[start.box].fast, rounded)(start.place, 100, true);
         endings.push_back({ start.box, place, distance });
+        ties = distance < bound * (1.0 - 1e-12) ? 0 : ties + (distance < bound * (1.0 + 1e-12));
         bound = std::min(bound, distance);
       }
     }
@@ -370,6 +384,10 @@ public:
 
 private:
   using Place = std::array<double, 2>;
+
+  /// How much nearer than a sample a point of the cells around it may be, by the sample's distance
+  /// to its neighbours. One would do on flat cells; twice that finds more on bent ones.
+  static constexpr double kReach = 2.0;
 
   struct Box
   {
@@ -429,7 +447,8 @@ private:
     return all;
   }
 
-  Box sample(const typename Spline<N>::Spans& spans, int samples) const
+  /// A span without samples.
+  Box piece(const typename Spline<N>::Spans& spans) const
   {
     Box box;
     box.spans = spans;
@@ -464,34 +483,81 @@ private:
     }
     box.fast = Piece<double>(degrees, net);
     box.exact = Piece<Real>(degrees, net);
-    // === Places: equally spaced, then closer where neighbours are far apart in space
     for (int i = 0; i < 2; ++i)
     {
-      const int count = i >= N ? 1 : samples > 0 ? samples : 2 * degrees[i] + 4;
+      box.places[i] = i < N ? std::vector<double>{ 0.0, 1.0 } : std::vector<double>{ 0.0 };
+    }
+    return box;
+  }
+
+  /// Fills the part of a span between the ends of `places` with samples: equally spaced, then
+  /// closer where neighbours are far apart in space. Where steep weights crowd much of the geometry
+  /// into few parameters, that takes several boxes.
+  void sample(Box box, int samples, int depth = 0)
+  {
+    constexpr int kDeepest = N == 1 ? 0 : 4;
+    for (int i = 0; i < N; ++i)
+    {
+      const int degree = this->Geometry.degree(i);
+      const int usual = N == 1 ? 6 * degree + 20 : 3 * degree + 6;
+      const int count = samples > 0 ? samples : depth == 0 ? usual : degree + 2;
+      const double first = box.places[i].front();
+      const double last = box.places[i].back();
+      box.places[i].clear();
       for (int k = 0; k < count; ++k)
       {
-        box.places[i].push_back(count == 1 ? 0.0 : k / (count - 1.0));
+        box.places[i].push_back(k == count - 1 ? last : first + (last - first) * k / (count - 1.0));
       }
     }
     for (int pass = 0; pass < 24; ++pass)
     {
-      if (!this->split(box, 0) & !this->split(box, N - 1))
+      const bool first = this->split(box, 0);
+      const bool second = N == 2 && this->split(box, 1);
+      if (!first && !second)
       {
         break;
       }
     }
     this->measure(box);
-    return box;
+    int longest = 0;
+    if (box.spacing.maxCoeff() > 2.0 * this->farthest() && depth < kDeepest &&
+      this->splittable(box, longest))
+    {
+      const std::vector<double> places = box.places[longest];
+      const std::size_t middle = places.size() / 2;
+      box.places[longest] = { places.front(), places[middle] };
+      this->sample(box, samples, depth + 1);
+      box.places[longest] = { places[middle], places.back() };
+      this->sample(box, samples, depth + 1);
+      return;
+    }
+    this->Boxes.push_back(box);
   }
 
-  /// Halves intervals over which the samples are farther apart than a part of the size.
-  bool split(Box& box, int i) const
+  /// Whether there is an interval to split, and the direction of the widest gap between samples.
+  bool splittable(const Box& box, int& direction) const
   {
-    constexpr double kFarthest = 1.0 / 64.0; // of the size
-    constexpr std::size_t kMost = N == 1 ? 1000 : 72;
+    double widest = 0.0;
+    for (int i = 0; i < N; ++i)
+    {
+      const auto lengths = this->intervals(box, i);
+      if (!lengths.empty() && lengths.front().first > widest)
+      {
+        widest = lengths.front().first;
+        direction = i;
+      }
+    }
+    return widest > 0.0;
+  }
+
+  double farthest() const { return (N == 1 ? 1.0 / 256.0 : 1.0 / 96.0) * this->Size; }
+
+  /// Intervals over which samples are farther apart than they should be: length and number.
+  std::vector<std::pair<double, std::size_t>> intervals(const Box& box, int i) const
+  {
     constexpr double kShortest = 1e-9; // below it is taken for a jump
     const Eigen::Matrix<double, 3, Eigen::Dynamic> points = box.fast.grid(box.places);
-    std::vector<double>& places = box.places[i];
+    const std::vector<double>& places = box.places[i];
     const Eigen::Index columns = static_cast<Eigen::Index>(box.places[0].size());
     const Eigen::Index rows = static_cast<Eigen::Index>(box.places[1].size());
     std::vector<std::pair<double, std::size_t>> lengths;
@@ -505,14 +571,22 @@ private:
         const Eigen::Index next = here + (i == 0 ? 1 : columns);
         longest = std::max(longest, (points.col(next) - points.col(here)).squaredNorm());
       }
-      if (std::sqrt(longest) > kFarthest * this->Size && places[k + 1] - places[k] > kShortest)
+      if (std::sqrt(longest) > this->farthest() && places[k + 1] - places[k] > kShortest)
       {
         lengths.push_back({ longest, k });
       }
     }
     std::sort(lengths.rbegin(), lengths.rend());
+    return lengths;
+  }
+
+  /// Halves the longest intervals.
+  bool split(Box& box, int i) const
+  {
+    constexpr std::size_t kMost = N == 1 ? 1000 : 72;
+    std::vector<double>& places = box.places[i];
     std::vector<double> added;
-    for (const auto& [length, k] : lengths)
+    for (const auto& [length, k] : this->intervals(box, i))
     {
       if (places.size() + added.size() < kMost)
       {
@@ -551,7 +625,7 @@ private:
   /// by side.
   std::vector<Start> starts(const Eigen::Vector3d& query) const
   {
-    constexpr std::size_t kMost = 32;
+    constexpr std::size_t kMost = 128;
     constexpr std::size_t kSorted = 600;
     std::vector<Eigen::RowVectorXd> squares(this->Boxes.size());
     std::vector<std::pair<double, int>> order;
@@ -589,11 +663,10 @@ private:
     std::vector<Start> kept;
     for (const Start& start : all)
     {
-      const int apart = start.minimum ? 1 : 2;
       const auto close = [&](const Start& other)
       {
-        return other.box == start.box && std::abs(other.row - start.row) <= apart &&
-          std::abs(other.column - start.column) <= apart;
+        return other.box == start.box && std::abs(other.row - start.row) <= 1 &&
+          std::abs(other.column - start.column) <= 1;
       };
       if (kept.size() < kMost && std::none_of(kept.begin(), kept.end(), close))
       {
@@ -611,7 +684,7 @@ private:
     const int rows = static_cast<int>(box.places[1].size());
     for (int k = 0; k < squares.size(); ++k)
     {
-      const double reach = bound + box.spacing[k];
+      const double reach = bound + kReach * box.spacing[k];
       if (squares[k] > reach * reach * (1.0 + 1e-14))
       {
         continue;
@@ -636,7 +709,7 @@ private:
   {
     const Box& box = this->Boxes[ending.box];
     const auto [place, distance] =
-      Descent<Real>(box.exact, query)({ { ending.place[0], ending.place[1] } }, 20, false);
+      Descent<Real>(box.exact, query)({ { ending.place[0], ending.place[1] } }, 60, false);
     typename Spline<N>::Parameters t;
     for (int i = 0; i < N; ++i)
     {
