@@ -98,6 +98,31 @@ TEST(Oracle, NearestOnSurfaces)
   EXPECT_NEAR(up - down, 1.0L, 0.1L);
 }
 
+TEST(Oracle, PiecesAreTheSpline)
+{
+  // Feet are sought on Bézier pieces and then evaluated on the spline: distance zero if they agree.
+  shapes::Random random(45);
+  for (int k = 0; k < 20; ++k)
+  {
+    const std::array<int, 2> degrees{ { random.integer(1, 9), random.integer(1, 9) } };
+    const bool clamped = random.integer(0, 1) == 0;
+    const oracle::Spline<2> spline =
+      shapes::random_arrays<2>(random, degrees, 2, clamped, 1.0).spline();
+    const std::vector<int> u = spline.spans(0);
+    const std::vector<int> v = spline.spans(1);
+    const Nearest<2> nearest(spline);
+    for (int i = 0; i < 5; ++i)
+    {
+      const Real s = random.uniform(0, 1);
+      const Real t = random.uniform(0, 1);
+      const Vector query =
+        spline.point({ (1.0L - s) * spline.knot(0, u.back()) + s * spline.knot(0, u.back() + 1),
+          (1.0L - t) * spline.knot(1, v.back()) + t * spline.knot(1, v.back() + 1) });
+      EXPECT_LE(nearest(query).distance, kTolerance) << degrees[0] << " x " << degrees[1];
+    }
+  }
+}
+
 TEST(Oracle, NearestOnTheSurfaceIsZero)
 {
   const Surface surface = shapes::bumpy(12, 41);

@@ -51,7 +51,7 @@ constexpr double kWrong = 1e-12;
 constexpr double kRounding = 10.0 * 0x1p-53;
 /// Processor time of one query that counts as hanging (s); the usual is below a millisecond.
 constexpr double kHanging = kSlowBuild ? 60.0 : 4.0;
-/// Wrong feet that are printed in full, each test.
+/// Wrong feet that a test prints in full; of the others a line.
 constexpr int kPrinted = 25;
 
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise)
@@ -95,8 +95,28 @@ struct Subject
   std::string description;
 };
 
+/// How far one rounding of its parameters moves a point: by one unit in the last place of the
+/// domain's ends, inwards, since there is nothing beyond a span.
+template <int N>
+Real parameter_rounding(const oracle::Spline<N>& spline,
+  const typename oracle::Spline<N>::Spans& spans, const typename oracle::Spline<N>::Parameters& t)
+{
+  const Vector at = spline.evaluate(spans, t);
+  Real rounding = 0.0L;
+  for (int i = 0; i < N; ++i)
+  {
+    const Real first = std::abs(spline.knot(i, spline.degree(i)));
+    const Real unit = 0x1p-52L * std::max(first, std::abs(spline.knot(i, spline.count(i))));
+    const Real middle = (spline.knot(i, spans[i]) + spline.knot(i, spans[i] + 1)) / 2.0L;
+    auto beside = t;
+    beside[i] += t[i] < middle ? unit : -unit;
+    rounding += (spline.evaluate(spans, beside) - at).norm();
+  }
+  return rounding;
+}
+
 /// How far the foot's point is from the judge's point at the foot's parameters (on a gap from the
-/// nearer limit), less what the rounding of those parameters moves it.
+/// nearest limit), less what the rounding of those parameters moves it.
 template <int N>
 double misplacement(const Judge<N>& judge, const Foot& foot)
 {
@@ -114,22 +134,28 @@ double misplacement(const Judge<N>& judge, const Foot& foot)
     {
       spans[i] = spline.span(i, t[i], (sides >> i & 1) != 0);
     }
-    const Vector at = spline.evaluate(spans, t);
-    Real rounding = 0.0L;
-    for (int i = 0; i < N; ++i)
-    {
-      const Real largest = std::max(
-        std::abs(spline.knot(i, spline.degree(i))), std::abs(spline.knot(i, spline.count(i))));
-      auto beside = t;
-      // One unit in the last place of the domain's ends, inwards: beyond the span is no geometry.
-      beside[i] +=
-        (2.0L * t[i] < spline.knot(i, spans[i]) + spline.knot(i, spans[i] + 1) ? 1.0L : -1.0L) *
-        0x1p-52L * largest;
-      rounding += (spline.evaluate(spans, beside) - at).norm();
-    }
-    best = std::min(best, (at - judge.to_local(foot.point)).norm() - rounding);
+    const Real error = (spline.evaluate(spans, t) - judge.to_local(foot.point)).norm();
+    best = std::min(best, error - parameter_rounding<N>(spline, spans, t));
   }
   return static_cast<double>(best);
+}
+
+/// The same for the judge's foot.
+template <int N>
+double parameter_rounding(const Judge<N>& judge, const oracle::Foot<N>& foot)
+{
+  const oracle::Spline<N>& spline = judge.nearest.spline();
+  Real most = 0.0L;
+  for (int sides = 0; sides < (1 << N); ++sides)
+  {
+    typename oracle::Spline<N>::Spans spans;
+    for (int i = 0; i < N; ++i)
+    {
+      spans[i] = spline.span(i, foot.parameter[i], (sides >> i & 1) != 0);
+    }
+    most = std::max(most, parameter_rounding<N>(spline, spans, foot.parameter));
+  }
+  return static_cast<double>(most);
 }
 
 std::string text(const Vector3& point)
@@ -155,8 +181,12 @@ Foot check(const Subject<N>& subject, const std::string& name, const Query& quer
     tally.slowest_query = where;
   }
   const Judge<N>& judge = subject.judge;
-  const double distance = static_cast<double>(judge.nearest(judge.to_local(query.point)).distance);
-  const double allowed = kWrong * judge.size + kRounding * distance;
+  const oracle::Foot<N> nearest = judge.nearest(judge.to_local(query.point));
+  const double distance = static_cast<double>(nearest.distance);
+  // A foot is at parameters in double; where the geometry is so fast that their rounding shows, no
+  // search comes nearer.
+  const double rounding = parameter_rounding<N>(judge, nearest);
+  const double allowed = kWrong * judge.size + kRounding * distance + rounding;
   const double excess = foot.distance - distance;
   // The point in model coordinates has the rounding of those.
   const double coordinates = 0x1p-52 * (foot.point.norm() + query.point.norm());
@@ -177,6 +207,11 @@ Foot check(const Subject<N>& subject, const std::string& name, const Query& quer
   tally.hanging += seconds > kHanging;
   const bool known_status = foot.status == Status::Certified || foot.status == Status::Converged ||
     foot.status == Status::NotConverged;
+  if (too_far || misplaced)
+  {
+    std::cout << "wrong: " << where << ", excess " << excess / judge.size << " of the size, status "
+              << static_cast<int>(foot.status) << '\n';
+  }
   if ((too_far || misplaced || !known_status || seconds > kHanging) && tally.printed++ < kPrinted)
   {
     ADD_FAILURE() << (too_far        ? "too far"
@@ -185,7 +220,8 @@ Foot check(const Subject<N>& subject, const std::string& name, const Query& quer
                   << ": " << where << "\n  " << subject.description << "\n  query "
                   << text(query.point) << "\n  distance " << foot.distance << " of " << distance
                   << ", excess " << excess / judge.size << " and error " << error / judge.size
-                  << " of the size, status " << static_cast<int>(foot.status) << " at "
+                  << " of the size (rounding of the parameters there " << rounding / judge.size
+                  << "), status " << static_cast<int>(foot.status) << " at "
                   << foot.parameter.transpose() << ", " << seconds << " s";
   }
   return foot;
