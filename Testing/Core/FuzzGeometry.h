@@ -471,7 +471,8 @@ Query random_query(Random& random, const Judge<N>& judge, std::string kind = "")
   {
     at += power(-13, -2) * any;
   }
-  return { kind, judge.to_model(at) };
+  // Where the geometry stands still there is no centre of curvature.
+  return { kind, judge.to_model(at.allFinite() ? at : base.point) };
 }
 
 } // namespace fuzz
