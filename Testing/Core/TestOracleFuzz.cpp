@@ -201,21 +201,29 @@ Foot check(const Subject<N>& subject, const std::string& name, const Query& quer
   tally.too_far += too_far;
   tally.misplaced += misplaced;
   tally.oracle_beaten += excess < -allowed;
-  tally.certified += foot.status == Status::Certified;
-  tally.wrongly_certified += foot.status == Status::Certified && (too_far || misplaced);
+  // What the certificate says: nothing is nearer by more than the tolerance, whatever the
+  // parameters' rounding.
+  const bool certified = foot.status == Status::Certified;
+  const double proved = subject.inverter.options().certificate_tolerance * judge.size;
+  const bool disproved =
+    certified && (misplaced || !(excess <= proved + kRounding * (distance + judge.size)));
+  tally.certified += certified;
+  tally.wrongly_certified += disproved;
   tally.not_converged += foot.status == Status::NotConverged;
   tally.hanging += seconds > kHanging;
   const bool known_status = foot.status == Status::Certified || foot.status == Status::Converged ||
     foot.status == Status::NotConverged;
-  if (too_far || misplaced)
+  if (too_far || misplaced || disproved)
   {
     std::cout << "wrong: " << where << ", excess " << excess / judge.size << " of the size, status "
               << static_cast<int>(foot.status) << '\n';
   }
-  if ((too_far || misplaced || !known_status || seconds > kHanging) && tally.printed++ < kPrinted)
+  if ((too_far || misplaced || disproved || !known_status || seconds > kHanging) &&
+    tally.printed++ < kPrinted)
   {
     ADD_FAILURE() << (too_far        ? "too far"
                          : misplaced ? "misplaced"
+                         : disproved ? "wrongly certified"
                                      : "status or time")
                   << ": " << where << "\n  " << subject.description << "\n  query "
                   << text(query.point) << "\n  distance " << foot.distance << " of " << distance
@@ -232,7 +240,7 @@ void conclude(const Tally& tally)
   const double queries = static_cast<double>(tally.queries);
   const double uncertified = static_cast<double>(tally.queries - tally.certified) / queries;
   std::cout << tally.queries << " queries: " << tally.too_far << " too far, " << tally.misplaced
-            << " misplaced, " << tally.wrongly_certified << " of them certified; "
+            << " misplaced, " << tally.wrongly_certified << " wrongly certified; "
             << tally.not_converged << " not converged, " << 100.0 * uncertified
             << " % not certified, " << tally.oracle_beaten
             << " nearer than the judge's; largest excess " << tally.excess << " and error "
