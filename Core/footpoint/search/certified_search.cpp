@@ -775,6 +775,8 @@ private:
     Improved
   };
   Verdict prove(const PieceFoot& survivor);
+  bool improves_at_corner(
+    const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f);
   Verdict prove_side(const PieceQuery& query, const Range& cell, const double* f, double error,
     int i, int end);
   /// The tangent plane of F at the minimum of the range.
@@ -1266,25 +1268,40 @@ bool Finder::keep(const PieceFoot& foot)
     return false;
   }
   CertifiedAnswer& answer = this->Answer;
-  const bool improved =
-    answer.count == 0 || foot.distance < answer.feet[0].distance - this->tie();
+  // By how much it is nearer than another foot, without the rounding of large distances.
+  auto gain = [&foot](const PieceFoot& other)
+  {
+    double difference = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      difference +=
+        (other.position[k] - foot.position[k]) * (other.offset[k] + foot.offset[k]);
+    }
+    const double sum = other.distance + foot.distance;
+    return sum > 0.0 ? difference / sum : 0.0;
+  };
+  const double tie = tie_tolerance(0.0, this->Query.size);
+  const double nearer = answer.count > 0 ? gain(answer.feet[0]) : kInfinity;
+  if (nearer < -tie)
+  {
+    return false;
+  }
   for (int k = 0; k < answer.count; ++k)
   {
     const PieceFoot& other = answer.feet[k];
-    if (other.piece == foot.piece && std::abs(other.t[0] - foot.t[0]) < 1e-9 &&
+    if (other.piece == foot.piece && nearer <= tie && std::abs(other.t[0] - foot.t[0]) < 1e-9 &&
       std::abs(other.t[1] - foot.t[1]) < 1e-9)
     {
       return false;
     }
   }
-  if (answer.count == 0 || foot.distance < answer.feet[0].distance)
+  if (nearer > 0.0)
   {
     // The nearest comes first; what no longer ties with it is dropped.
     int count = 0;
     for (int k = 0; k < answer.count; ++k)
     {
-      if (answer.feet[k].distance <=
-        foot.distance + tie_tolerance(foot.distance, this->Query.size))
+      if (gain(answer.feet[k]) <= tie)
       {
         answer.feet[count++] = answer.feet[k];
       }
@@ -1299,7 +1316,7 @@ bool Finder::keep(const PieceFoot& foot)
   {
     answer.feet[answer.count++] = foot;
   }
-  return improved;
+  return nearer > tie;
 }
 
 // === The proof ===
@@ -1362,6 +1379,10 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
       return Verdict::Open;
     }
     double* f = this->coefficients(at, size);
+    if (this->improves_at_corner(query, cell, f))
+    {
+      return Verdict::Improved;
+    }
     const Differences d = differences(shape, f);
     const double first = this->least_first_difference(cell.error);
     const double second = this->least_second_difference(cell.error);
@@ -1430,6 +1451,35 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     cells.push_back(high);
   }
   return open ? Verdict::Open : Verdict::Proved;
+}
+
+/// The coefficients at the corners are values of F: where one is negative the corner itself is nearer
+/// than the best foot, and a descent from there finds what is nearer still.
+bool Finder::improves_at_corner(
+  const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f)
+{
+  const PieceShape& shape = *query.piece->shape;
+  double least = -2.0 * (this->Margin + cell.error);
+  int found = -1;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double value =
+      f[corner / 2 * (shape.rows - 1) * shape.stride + corner % 2 * (shape.columns - 1)];
+    if (value < least)
+    {
+      least = value;
+      found = corner;
+    }
+  }
+  if (found < 0)
+  {
+    return false;
+  }
+  Place place;
+  place.t = { { (found / 2 == 0 ? cell.lower : cell.upper)[0],
+    (found % 2 == 0 ? cell.lower : cell.upper)[1] } };
+  const int iterations = descend(query, kWholePiece, place);
+  return this->keep(this->foot_of(query, place, iterations));
 }
 
 /// The same along one side of a cell, at one end of direction i.
