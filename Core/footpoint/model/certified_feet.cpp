@@ -41,8 +41,7 @@ const Direction& direction_of(const Patch& patch, int i)
 
 } // namespace
 
-CertifiedFeet::CertifiedFeet(
-  std::vector<Member> members, const Vector3& centre, double size, double tolerance)
+CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size)
   : Members(std::move(members))
   , TakesPart(this->Members.size(), false)
   , Centre(centre)
@@ -71,15 +70,17 @@ CertifiedFeet::CertifiedFeet(
       this->Complete = false;
     }
   }
-  this->Tolerance = std::max(0.0, tolerance - 2.0 * extraction_error(degrees)) * size;
+  this->ExtractionError = 2.0 * extraction_error(degrees);
   this->Search = CertifiedSearch(std::move(forms));
 }
 
-void CertifiedFeet::find(
-  const Vector3& point, double limit, SearchWorkspace& workspace, CertifiedAnswer& answer) const
+void CertifiedFeet::find(const Vector3& point, double limit, double tolerance,
+  SearchWorkspace& workspace, CertifiedAnswer& answer) const
 {
+  const double left = std::max(0.0, tolerance - this->ExtractionError);
   this->Search.find(
-    { point - this->Centre, limit, this->Size, this->Tolerance }, workspace, answer);
+    { point - this->Centre, limit, this->Size, left * this->Size }, workspace, answer);
+  answer.certified = answer.certified && left > 0.0;
 }
 
 PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const
@@ -91,9 +92,9 @@ PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const
   {
     const int from = curve ? 1 : i;
     const double t = foot.t[from];
-    result.local(i) = t == 0.0 ? piece.lower[from]
-                               : (t == 1.0 ? piece.upper[from]
-                                           : piece.lower[from] + t * piece.width[from]);
+    result.local(i) = t == 0.0
+      ? piece.lower[from]
+      : (t == 1.0 ? piece.upper[from] : piece.lower[from] + t * piece.width[from]);
     result.sides(i) = t == 1.0 ? Side::Left : Side::Right;
   }
   result.parameter = this->domain_parameter(foot, piece);
@@ -194,8 +195,8 @@ bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
     const bool below = -vector(found.offset).dot(foot.direction) < 0.0;
     foot.signed_distance = below ? -found.distance : found.distance;
   }
-  foot.type = bounds == 0 ? FootType::Interior
-                          : (bounds == 2 || curve ? FootType::Vertex : FootType::Edge);
+  foot.type =
+    bounds == 0 ? FootType::Interior : (bounds == 2 || curve ? FootType::Vertex : FootType::Edge);
   foot.isolated = true;
   foot.iterations = found.iterations;
   foot.face = member.face;

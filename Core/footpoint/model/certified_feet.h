@@ -21,18 +21,18 @@ public:
     SharedBorders shared;
   };
 
-  /// \param members   the patches that are splines take part; the others are passed over
-  /// \param centre    of the model; queries are measured from there
-  /// \param size      of the model
-  /// \param tolerance certificate tolerance, a fraction of the size
-  CertifiedFeet(
-    std::vector<Member> members, const Vector3& centre, double size, double tolerance);
+  /// \param members the patches that are splines take part; the others are passed over
+  /// \param centre  of the model; queries are measured from there
+  /// \param size    of the model
+  CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size);
 
   /// Whether every patch takes part.
   bool complete() const { return this->Complete; }
   bool takes_part(std::size_t member) const { return this->TakesPart[member]; }
 
-  void find(const Vector3& point, double limit, SearchWorkspace& workspace,
+  /// \param tolerance certificate tolerance, a fraction of the size; below the error of extracting
+  ///                  the pieces nothing is certified
+  void find(const Vector3& point, double limit, double tolerance, SearchWorkspace& workspace,
     CertifiedAnswer& answer) const;
 
   std::size_t member(const PieceFoot& foot) const
@@ -55,7 +55,7 @@ private:
   bool Complete = true;
   Vector3 Centre;
   double Size;
-  double Tolerance; ///< in model units
+  double ExtractionError; ///< of both ends of a distance, a fraction of the size
   CertifiedSearch Search;
 };
 

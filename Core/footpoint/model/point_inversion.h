@@ -13,9 +13,9 @@ namespace footpoint
 /// Outcome for one point; numbers are those of the array Status.
 enum class Status
 {
-  Certified = 0,    ///< proved: no point of the geometry is closer than distance − gap
-  Converged = 1,    ///< a local minimum of the distance
-  NotConverged = 2, ///< the best point found
+  Certified = 0,             ///< proved: no point of the geometry is closer than distance − gap
+  Converged = 1,             ///< a local minimum of the distance
+  NotConverged = 2,          ///< the best point found
   BeyondMaximumDistance = 3, ///< nothing found within the maximum distance
   InvalidPoint = 4,          ///< a coordinate is NaN or infinite
   NoOrthogonalFoot = 5       ///< the closest point is given, but r is orthogonal nowhere
@@ -80,6 +80,15 @@ public:
   PointInverter(PointInverter&&) noexcept;
   PointInverter& operator=(PointInverter&&) noexcept;
 
+  /// The same model for queries with other options. Cheap: what the model was built into is shared,
+  /// and built anew only where it does not serve the options, see `is_prepared_for`.
+  /// \throw std::invalid_argument as the constructor
+  PointInverter with_options(const InversionOptions& options) const;
+  /// Whether queries with these options find everything built: the seed resolution has to be the
+  /// same, and the search, all_feet, orthogonal_only and fixed_direction must ask for no structure
+  /// that is not there yet.
+  bool is_prepared_for(const InversionOptions& options) const;
+
   const Model& model() const;
   const InversionOptions& options() const;
   /// Diagonal of the bounding box of all control points.
@@ -95,6 +104,7 @@ public:
 
 private:
   struct Implementation;
+  explicit PointInverter(std::unique_ptr<Implementation> data);
   std::unique_ptr<Implementation> Data;
 };
 
@@ -120,7 +130,8 @@ struct InversionResult
   bool cancelled = false; ///< feet that were not reached have status NotConverged and NaN
 };
 
-/// Runs the queries in blocks. Every foot has the same bits whatever the threads, blocks and order.
+/// Runs the queries, neighbours in space one after the other. Every foot has the same bits whatever
+/// the threads, the points beside it and their order. Looks at progress every tenth of a second.
 /// \param points one a column
 /// \param starts empty, or one for each point
 InversionResult invert(const PointInverter& inverter, const Points& points,

@@ -56,26 +56,54 @@ Box control_box(const ParametricSurface& geometry)
   return surface ? box_around(surface->local_control_points()) : Box{};
 }
 
+/// What queries with any options share.
 template <int N>
-class PatchSearchOf : public PatchSearch
+struct PatchParts
 {
-public:
-  PatchSearchOf(std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
-    const SeedOptions& seeding, int minimum_cells)
+  PatchParts(
+    std::shared_ptr<const ParametricGeometry<N>> geometry, int seed_resolution, int minimum_cells)
     : Shared(std::move(geometry))
-    , Geometry(*this->Shared)
-    , Solver(solver)
-    , Seeding(seeding)
-    , Bounds(control_box(this->Geometry))
+    , Bounds(control_box(*this->Shared))
     , Spline((this->Bounds.lower.array() <= this->Bounds.upper.array()).all())
-    , Cells(this->Geometry, minimum_cells)
-    , Seeds(this->Geometry, seeding)
-    , Dense(this->Geometry, this->Spline ? SeedOptions{ 2, 1 } : kDenseSeeds)
+    , Cells(*this->Shared, minimum_cells)
+    , Seeds(*this->Shared, SeedOptions{ seed_resolution, 1 })
+    , Dense(*this->Shared, this->Spline ? SeedOptions{ 2, 1 } : kDenseSeeds)
   {
     if (!this->Spline)
     {
       this->Bounds = this->Dense.box();
     }
+  }
+
+  std::shared_ptr<const ParametricGeometry<N>> Shared;
+  Box Bounds;  ///< of the control points, of samples where there are none
+  bool Spline; ///< Bounds holds the geometry
+  CellTree<N> Cells;
+  SeededSearch<N> Seeds;
+  SeededSearch<N> Dense;
+};
+
+template <int N>
+class PatchSearchOf : public PatchSearch
+{
+public:
+  PatchSearchOf(
+    std::shared_ptr<const PatchParts<N>> parts, const SolverOptions& solver, int number_of_seeds)
+    : Parts(std::move(parts))
+    , Geometry(*this->Parts->Shared)
+    , Solver(solver)
+    , NumberOfSeeds(number_of_seeds)
+    , Bounds(this->Parts->Bounds)
+    , Spline(this->Parts->Spline)
+    , Cells(this->Parts->Cells)
+    , Seeds(this->Parts->Seeds)
+    , Dense(this->Parts->Dense)
+  {
+  }
+
+  std::unique_ptr<PatchSearch> with(const SolverOptions& solver, int number_of_seeds) const override
+  {
+    return std::make_unique<PatchSearchOf<N>>(this->Parts, solver, number_of_seeds);
   }
 
   double bound(const PatchQuery& query) const override
@@ -225,7 +253,7 @@ private:
     }
     const int count = query.search == Search::Local
       ? 1
-      : (dense ? kDenseSeeds.number_of_seeds : this->Seeding.number_of_seeds);
+      : (dense ? kDenseSeeds.number_of_seeds : this->NumberOfSeeds);
     for (const Parameter<N>& seed : seeds.seeds(at, count))
     {
       visit(seed, kUnknown);
@@ -316,15 +344,15 @@ private:
       });
   }
 
-  std::shared_ptr<const ParametricGeometry<N>> Shared;
+  std::shared_ptr<const PatchParts<N>> Parts;
   const ParametricGeometry<N>& Geometry;
   SolverOptions Solver;
-  SeedOptions Seeding;
-  Box Bounds;  ///< of the control points, of samples where there are none
-  bool Spline; ///< Bounds holds the geometry
-  CellTree<N> Cells;
-  SeededSearch<N> Seeds;
-  SeededSearch<N> Dense;
+  int NumberOfSeeds;
+  Box Bounds;
+  bool Spline;
+  const CellTree<N>& Cells;
+  const SeededSearch<N>& Seeds;
+  const SeededSearch<N>& Dense;
 };
 
 template <int N>
@@ -448,7 +476,9 @@ std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
   const SeedOptions& seeding, int minimum_cells)
 {
-  return std::make_unique<PatchSearchOf<N>>(std::move(geometry), solver, seeding, minimum_cells);
+  auto parts =
+    std::make_shared<const PatchParts<N>>(std::move(geometry), seeding.resolution, minimum_cells);
+  return std::make_unique<PatchSearchOf<N>>(std::move(parts), solver, seeding.number_of_seeds);
 }
 
 template std::unique_ptr<PatchSearch> make_patch_search<1>(

@@ -56,6 +56,10 @@ class PatchSearch
 public:
   virtual ~PatchSearch() = default;
 
+  /// The same patch for other queries; shares what was built.
+  virtual std::unique_ptr<PatchSearch> with(
+    const SolverOptions& solver, int number_of_seeds) const = 0;
+
   /// A lower bound of the distance from a point (from a line, where the query has one).
   virtual double bound(const PatchQuery& query) const = 0;
 

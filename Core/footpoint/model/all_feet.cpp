@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/model/inverter_implementation.h"
+
+#include "footpoint/search/better_foot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace footpoint
+{
+
+/// All feet, one of each, nearest first.
+std::vector<Candidate> PointInverter::Implementation::every(
+  const Vector3& point, const Start& start) const
+{
+  std::vector<Candidate> kept;
+  const double limit = this->Options.maximum_distance;
+  const bool lines = this->wants_lines();
+  PatchQuery bounds;
+  bounds.point = point;
+  for (const std::size_t k : this->by_bound(bounds, limit))
+  {
+    PatchQuery query = this->query(point, start, k);
+    query.sought = lines ? Sought::Intersection
+                         : (this->Options.orthogonal_only ? Sought::Orthogonal : Sought::Minimum);
+    this->Patches[k].search->search(
+      query, [limit] { return limit; },
+      [&](const PatchFoot& foot)
+      {
+        if (!foot.converged || foot.distance > limit)
+        {
+          return;
+        }
+        const Candidate candidate{ k, foot };
+        auto known = std::find_if(kept.begin(), kept.end(),
+          [&](const Candidate& other)
+          {
+            return this->same(candidate, other) ||
+              (!lines && other.patch == k &&
+                this->Patches[k].search->level(point, foot, other.foot));
+          });
+        if (known == kept.end())
+        {
+          kept.push_back(candidate);
+        }
+        else if (this->better(candidate, *known))
+        {
+          *known = candidate;
+        }
+      });
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+    [](const Candidate& a, const Candidate& b) { return a.foot.distance < b.foot.distance; });
+  // Equal distances by face, u, v: neighbours in the list are exchanged until they are in order.
+  for (std::size_t k = 1; k < kept.size(); ++k)
+  {
+    for (std::size_t i = k; i > 0 && this->better(kept[i], kept[i - 1]); --i)
+    {
+      std::swap(kept[i], kept[i - 1]);
+    }
+  }
+  this->thin_out_continua(point, kept);
+  return kept;
+}
+
+/// A continuum of feet counts once a patch and distance, by its lowest parameter.
+void PointInverter::Implementation::thin_out_continua(
+  const Vector3& point, std::vector<Candidate>& feet) const
+{
+  std::vector<Candidate> kept;
+  bool continuum = false;
+  for (const Candidate& candidate : feet)
+  {
+    const bool tie = !kept.empty() && kept.back().patch == candidate.patch &&
+      std::abs(candidate.foot.distance - kept.back().foot.distance) <=
+        tie_tolerance(candidate.foot.distance, this->Size);
+    const PatchSearch& search = *this->Patches[candidate.patch].search;
+    if (tie && !search.isolated(point, candidate.foot) &&
+      (continuum || !search.isolated(point, kept.back().foot)))
+    {
+      continuum = true;
+      continue;
+    }
+    continuum = false;
+    kept.push_back(candidate);
+  }
+  feet = std::move(kept);
+}
+
+} // namespace footpoint

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/model/inverter_implementation.h"
+
+#include "footpoint/model/evaluation.h"
+
+#include <algorithm>
+
+namespace footpoint
+{
+
+Vector3 PointInverter::Implementation::direction(const Candidate& candidate) const
+{
+  const PreparedPatch& prepared = this->Patches[candidate.patch];
+  const Patch& patch = *prepared.patch;
+  if (patch.curve)
+  {
+    return unit_tangent(
+      *patch.curve, candidate.foot.local.head<1>(), candidate.foot.sides.head<1>());
+  }
+  const Vector3 normal = mean_normal(*patch.surface, candidate.foot.local, candidate.foot.sides);
+  return this->Prepared->model()[prepared.face].reversed ? Vector3(-normal) : normal;
+}
+
+/// A foot on borders that other patches of the face continue is interior, or on a kink, and its
+/// normal is the mean of theirs.
+void PointInverter::Implementation::settle_shared_border(Foot& foot, const Vector3& point,
+  const Candidate& candidate, const std::vector<Candidate>& others) const
+{
+  const PreparedPatch& prepared = this->Patches[candidate.patch];
+  if ((foot.type != FootType::Edge && foot.type != FootType::Vertex) ||
+    !prepared.shared.cover(*prepared.patch, candidate.foot.local))
+  {
+    return;
+  }
+  bool orthogonal = prepared.search->orthogonal(point, candidate.foot);
+  std::vector<std::size_t> seen{ candidate.patch };
+  for (const Candidate& other : others)
+  {
+    if (this->same(candidate, other) &&
+      std::find(seen.begin(), seen.end(), other.patch) == seen.end())
+    {
+      seen.push_back(other.patch);
+      orthogonal = orthogonal && this->Patches[other.patch].search->orthogonal(point, other.foot);
+      foot.direction += foot.on_curve ? Vector3(Vector3::Zero()) : this->direction(other);
+    }
+  }
+  if (!foot.direction.isZero())
+  {
+    foot.direction.normalize();
+  }
+  foot.type = orthogonal ? FootType::Interior : FootType::Kink;
+}
+
+Foot PointInverter::Implementation::finish(
+  const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const
+{
+  const PreparedPatch& prepared = this->Patches[candidate.patch];
+  const PatchFoot& found = candidate.foot;
+  Foot foot;
+  foot.status = found.converged ? Status::Converged : Status::NotConverged;
+  foot.type = found.type;
+  foot.iterations = found.iterations;
+  foot.face = prepared.face;
+  foot.on_curve = prepared.patch->curve != nullptr;
+  foot.parameter = found.parameter;
+  foot.point = found.point;
+  foot.distance = found.distance;
+  foot.direction = this->direction(candidate);
+  this->settle_shared_border(foot, point, candidate, others);
+  foot.isolated = this->wants_lines() || prepared.search->isolated(point, found);
+  if (!foot.on_curve)
+  {
+    const bool below = -found.offset.dot(foot.direction) < 0.0;
+    foot.signed_distance = below ? -foot.distance : foot.distance;
+  }
+  return foot;
+}
+
+} // namespace footpoint

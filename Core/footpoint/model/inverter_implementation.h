@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/model/prepared_model.h"
+
+namespace footpoint
+{
+
+/// A foot that was found on a patch of the model.
+struct Candidate
+{
+  std::size_t patch;
+  PatchFoot foot;
+};
+
+struct PointInverter::Workspace::Memory
+{
+  SearchWorkspace search;
+  CertifiedAnswer answer;
+};
+
+/// Queries with one set of options to a prepared model.
+struct PointInverter::Implementation
+{
+  std::shared_ptr<const PreparedModel> Prepared;
+  InversionOptions Options;           ///< the fixed direction normalised
+  std::vector<PreparedPatch> Patches; ///< in the order of faces
+  double Size;
+
+  Implementation(std::shared_ptr<const PreparedModel> prepared, const InversionOptions& options);
+
+  // === The order of feet, in candidate_order.cpp
+
+  bool lower(const Candidate& a, const Candidate& b) const;
+  bool better(const Candidate& a, const Candidate& b) const;
+  bool same(const Candidate& a, const Candidate& b) const;
+  void put_best_first(std::vector<Candidate>& feet) const;
+
+  // === The nearest foot, in nearest_foot.cpp
+
+  PatchQuery query(const Vector3& point, const Start& start, std::size_t patch) const;
+  std::vector<std::size_t> by_bound(const PatchQuery& query, double limit) const;
+  std::vector<Candidate> nearest(const Vector3& point, const Start& start, Sought sought) const;
+  bool certifies() const;
+  Foot nearest_certified(const Vector3& point, PointInverter::Workspace::Memory& memory) const;
+  void add_uncertified(const Vector3& point, std::vector<Candidate>& feet) const;
+
+  // === All feet, in all_feet.cpp
+
+  bool wants_lines() const { return !this->Options.fixed_direction.isZero(0.0); }
+  std::vector<Candidate> every(const Vector3& point, const Start& start) const;
+  void thin_out_continua(const Vector3& point, std::vector<Candidate>& feet) const;
+
+  // === From a candidate to a foot, in finished_foot.cpp
+
+  Foot finish(
+    const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const;
+  Vector3 direction(const Candidate& candidate) const;
+  void settle_shared_border(Foot& foot, const Vector3& point, const Candidate& candidate,
+    const std::vector<Candidate>& others) const;
+};
+
+} // namespace footpoint

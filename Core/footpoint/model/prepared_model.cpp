@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/model/prepared_model.h"
+
+#include "footpoint/solvers/step.h"
+
+#include <algorithm>
+
+namespace footpoint
+{
+namespace
+{
+
+/// Cells of all patches together, and the limits for one patch: close boxes on a single surface,
+/// bounded memory on a model of thousands.
+constexpr std::size_t kCellsOfModel = 65536;
+constexpr std::size_t kMaximumCells = 1024;
+constexpr std::size_t kMinimumCells = 16;
+
+std::size_t number_of_patches(const Model& model)
+{
+  std::size_t count = 0;
+  for (const Face& face : model)
+  {
+    count += face.patches.size();
+  }
+  return count;
+}
+
+/// Throws here, not in the middle of a query.
+void check_method(const Model& model, Method method)
+{
+  for (const Face& face : model)
+  {
+    for (const Patch& patch : face.patches)
+    {
+      if (patch.surface)
+      {
+        make_step<2>(method);
+        return;
+      }
+    }
+  }
+}
+
+} // namespace
+
+PreparedParts::PreparedParts(const InversionOptions& options)
+  : seed_resolution(options.seeding.resolution)
+{
+  const bool global = options.search == Search::Global;
+  const bool lines = !options.fixed_direction.isZero(0.0);
+  this->certificate = global && !lines;
+  this->cells = global && (lines || options.orthogonal_only || options.all_feet);
+}
+
+bool PreparedParts::include(const PreparedParts& others) const
+{
+  return this->seed_resolution == others.seed_resolution &&
+    this->certificate >= others.certificate && this->cells >= others.cells;
+}
+
+PreparedParts PreparedParts::joined_with(const PreparedParts& others) const
+{
+  PreparedParts result = others;
+  result.certificate = this->certificate || others.certificate;
+  result.cells = this->cells || others.cells;
+  return result;
+}
+
+PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
+  : Faces(std::move(model))
+  , Parts(parts)
+{
+  const std::size_t count = number_of_patches(this->Faces);
+  if (count == 0)
+  {
+    return;
+  }
+  const int cells = parts.cells
+    ? static_cast<int>(std::clamp(kCellsOfModel / count, kMinimumCells, kMaximumCells))
+    : 0;
+  SeedOptions seeding;
+  seeding.resolution = parts.seed_resolution;
+  Box box;
+  std::vector<CertifiedFeet::Member> members;
+  for (std::size_t k = 0; k < this->Faces.size(); ++k)
+  {
+    const Face& face = this->Faces[k];
+    const std::vector<SharedBorders> shared = find_shared_borders(face);
+    for (std::size_t i = 0; i < face.patches.size(); ++i)
+    {
+      const Patch& patch = face.patches[i];
+      PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], nullptr };
+      prepared.search = patch.curve
+        ? make_patch_search<1>(patch.curve, SolverOptions{}, seeding, cells)
+        : make_patch_search<2>(patch.surface, SolverOptions{}, seeding, cells);
+      box.add(prepared.search->box());
+      members.push_back({ &patch, prepared.face, face.reversed, shared[i] });
+      this->Patches.push_back(std::move(prepared));
+    }
+  }
+  this->Size = (box.upper - box.lower).stableNorm();
+  if (parts.certificate)
+  {
+    const Patch& first = *this->Patches.front().patch;
+    const Vector3 own = first.curve ? first.curve->centre() : first.surface->centre();
+    const Vector3 middle = box.lower + 0.5 * (box.upper - box.lower);
+    this->Certified.emplace(std::move(members), count == 1 ? own : middle, this->Size);
+  }
+}
+
+std::vector<PreparedPatch> PreparedModel::patches(const InversionOptions& options) const
+{
+  std::vector<PreparedPatch> result;
+  result.reserve(this->Patches.size());
+  for (const PreparedPatch& patch : this->Patches)
+  {
+    result.push_back({ patch.patch, patch.face, patch.shared,
+      patch.search->with(options.solver, options.seeding.number_of_seeds) });
+  }
+  return result;
+}
+
+std::shared_ptr<const PreparedModel> prepare(Model model, const InversionOptions& options)
+{
+  check_method(model, options.solver.method);
+  return std::make_shared<const PreparedModel>(std::move(model), PreparedParts(options));
+}
+
+std::shared_ptr<const PreparedModel> prepare(
+  const std::shared_ptr<const PreparedModel>& prepared, const InversionOptions& options)
+{
+  check_method(prepared->model(), options.solver.method);
+  const PreparedParts wanted(options);
+  if (prepared->parts().include(wanted))
+  {
+    return prepared;
+  }
+  return std::make_shared<const PreparedModel>(
+    prepared->model(), prepared->parts().joined_with(wanted));
+}
+
+} // namespace footpoint
