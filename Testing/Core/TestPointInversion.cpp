@@ -6,11 +6,15 @@
 #include "Inversion.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
 
 using namespace inversion;
 using footpoint::Execution;
 using footpoint::InversionResult;
 using footpoint::KnotVector;
+using footpoint::Method;
 using footpoint::Points;
 using footpoint::Search;
 using footpoint::Start;
@@ -293,28 +297,80 @@ TEST(Patches, AFootOnASharedBorderCountsOnce)
 
 // === Batches
 
+/// Backwards, in ranges of seven.
+void in_small_ranges(
+  std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
+{
+  for (std::int64_t end = count; end > 0; end -= std::min<std::int64_t>(end, 7))
+  {
+    body(std::max<std::int64_t>(end - 7, 0), end);
+  }
+}
+
 TEST(Batch, SameBitsForAnySplitAndOrder)
 {
   const PointInverter inverter(model_of(shapes::bumpy(12, 5, 0.3), shapes::torus(0.5, 0.2)));
-  const Points points = random_points(500, 6, -0.5, 1.5);
+  // More than a block, so that points have other neighbours when they come in another order.
+  constexpr int kCount = 9000;
+  Points points = random_points(kCount, 6, -0.5, 1.5);
+  points.col(17) = Vector3(NAN, 0, 0);
+  points.col(18) = Vector3(0, HUGE_VAL, 0);
+  points.col(19) = points.col(20);
+  points.col(21) = Vector3(1e300, -1e300, 0);
   const InversionResult whole = footpoint::invert(inverter, points);
   Execution pieces;
-  pieces.parallel_for =
-    [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
-  {
-    // Backwards, in ranges of seven.
-    for (std::int64_t end = count; end > 0; end -= std::min<std::int64_t>(end, 7))
-    {
-      body(std::max<std::int64_t>(end - 7, 0), end);
-    }
-  };
+  pieces.parallel_for = in_small_ranges;
   const InversionResult split = footpoint::invert(inverter, points, {}, pieces);
   const InversionResult reversed = footpoint::invert(inverter, points.rowwise().reverse());
-  for (int k = 0; k < 500; ++k)
+  const InversionResult part = footpoint::invert(inverter, points.middleCols(100, 777));
+  for (int k = 0; k < kCount; ++k)
   {
     EXPECT_TRUE(identical(whole.feet[k], split.feet[k])) << k;
-    EXPECT_TRUE(identical(whole.feet[k], reversed.feet[499 - k])) << k;
-    EXPECT_TRUE(identical(whole.feet[k], inverter.find(points.col(k)))) << k;
+    EXPECT_TRUE(identical(whole.feet[k], reversed.feet[kCount - 1 - k])) << k;
+    if (k >= 100 && k < 877)
+    {
+      EXPECT_TRUE(identical(whole.feet[k], part.feet[k - 100])) << k;
+    }
+    if (k % 9 == 0)
+    {
+      EXPECT_TRUE(identical(whole.feet[k], inverter.find(points.col(k)))) << k;
+    }
+  }
+}
+
+TEST(Batch, StartsAndAllFeetKeepToTheirPoints)
+{
+  const PointInverter inverter(model_of(shapes::saddle()), all_feet());
+  const Points points = random_points(300, 12, -1, 1);
+  Execution pieces;
+  pieces.parallel_for = in_small_ranges;
+  const InversionResult result = footpoint::invert(inverter, points, {}, pieces);
+  std::size_t at = 0;
+  for (int k = 0; k < 300; ++k)
+  {
+    for (const Foot& foot : inverter.find_all(points.col(k)))
+    {
+      ASSERT_LT(at, result.all_feet.size());
+      EXPECT_EQ(result.all_feet_point[at], k);
+      EXPECT_TRUE(identical(result.all_feet[at], foot)) << k;
+      ++at;
+    }
+  }
+  EXPECT_EQ(at, result.all_feet.size());
+  // Above the tie of the saddle the start decides.
+  const PointInverter local(model_of(shapes::saddle()), searching(Search::Local));
+  Points axis(3, 300);
+  std::vector<Start> starts(300);
+  for (int k = 0; k < 300; ++k)
+  {
+    axis.col(k) = Vector3(0, 0, 1.5 + 0.001 * ((7 * k) % 300));
+    const double side = k % 3 == 0 ? 1.0 : -1.0;
+    starts[k].parameter = Parameter<2>(0.7 * side, 0.7 * side);
+  }
+  const InversionResult seeded = footpoint::invert(local, axis, starts, pieces);
+  for (int k = 0; k < 300; ++k)
+  {
+    EXPECT_GT(seeded.feet[k].parameter(0) * starts[k].parameter(0), 0.0) << k;
   }
 }
 
@@ -329,7 +385,8 @@ TEST(Batch, ProgressAndCancel)
     fractions.push_back(fraction);
     return true;
   };
-  EXPECT_FALSE(footpoint::invert(inverter, points, {}, execution).cancelled);
+  const InversionResult whole = footpoint::invert(inverter, points, {}, execution);
+  EXPECT_FALSE(whole.cancelled);
   ASSERT_GE(fractions.size(), 2u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1.0);
@@ -341,9 +398,146 @@ TEST(Batch, ProgressAndCancel)
       : footpoint::invert(inverter, points, {}, execution);
     EXPECT_TRUE(result.cancelled);
     ASSERT_EQ(result.feet.size(), 10000u);
-    EXPECT_EQ(result.feet.front().status, Status::Certified);
-    EXPECT_EQ(result.feet.back().status, Status::NotConverged);
-    EXPECT_TRUE(std::isnan(result.feet.back().distance));
+    int reached = 0;
+    for (int k = 0; k < 10000; ++k)
+    {
+      const Foot& foot = result.feet[k];
+      if (foot.status == Status::Certified)
+      {
+        ++reached;
+        EXPECT_TRUE(identical(foot, whole.feet[k]));
+      }
+      else
+      {
+        EXPECT_EQ(foot.status, Status::NotConverged);
+        EXPECT_TRUE(std::isnan(foot.distance));
+      }
+    }
+    EXPECT_GT(reached, 0);
+    EXPECT_LT(reached, 10000);
+  }
+}
+
+TEST(Batch, BreaksOffAPieceThatTakesLong)
+{
+  // A user who cancels waits for less than a second; where nobody cancels nothing is lost.
+  const PointInverter inverter(model_of(plate(0, 1)));
+  const Points points = random_points(1300, 15, 0, 1);
+  Execution execution;
+  bool slow = true;
+  execution.parallel_for =
+    [&](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
+  {
+    const std::int64_t half = count / 2;
+    body(0, half);
+    if (slow)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+      slow = false;
+    }
+    body(half, count);
+  };
+  std::vector<double> fractions;
+  execution.proceed = [&](double fraction)
+  {
+    fractions.push_back(fraction);
+    return true;
+  };
+  const InversionResult result = footpoint::invert(inverter, points, {}, execution);
+  ASSERT_GE(fractions.size(), 3u);
+  EXPECT_GT(fractions[0], 0.0);
+  // After half a piece of half a second the next ones are short.
+  EXPECT_LE(fractions[1] - fractions[0], fractions[0]);
+  EXPECT_EQ(fractions.back(), 1.0);
+  for (int k = 0; k < 1300; ++k)
+  {
+    EXPECT_TRUE(identical(result.feet[k], inverter.find(points.col(k)))) << k;
+  }
+}
+
+// === Other options of the same model
+
+TEST(OtherOptions, ShareWhatWasBuilt)
+{
+  const PointInverter first(model_of(shapes::bumpy(12, 5, 0.3), shapes::torus(0.5, 0.2)));
+  const auto shares = [&](const auto& change)
+  {
+    InversionOptions options;
+    change(options);
+    return first.is_prepared_for(options);
+  };
+  EXPECT_TRUE(shares([](InversionOptions& o) { o.maximum_distance = 0.1; }));
+  EXPECT_TRUE(shares([](InversionOptions& o) { o.certificate_tolerance = 1e-6; }));
+  EXPECT_TRUE(shares([](InversionOptions& o) { o.solver.point_tolerance = 1e-6; }));
+  EXPECT_TRUE(shares([](InversionOptions& o) { o.solver.method = Method::GaussNewton; }));
+  EXPECT_TRUE(shares([](InversionOptions& o) { o.seeding.number_of_seeds = 9; }));
+  EXPECT_TRUE(shares([](InversionOptions& o) { o.search = Search::Seeded; }));
+  EXPECT_FALSE(shares([](InversionOptions& o) { o.seeding.resolution = 9; }));
+  EXPECT_FALSE(shares([](InversionOptions& o) { o.all_feet = true; }));
+  EXPECT_FALSE(shares([](InversionOptions& o) { o.orthogonal_only = true; }));
+  EXPECT_FALSE(shares([](InversionOptions& o) { o.fixed_direction = Vector3(0, 0, 1); }));
+  // Nothing that was built is given up.
+  InversionOptions every;
+  every.all_feet = true;
+  const PointInverter with_all = first.with_options(every);
+  EXPECT_TRUE(with_all.is_prepared_for({}));
+  EXPECT_TRUE(with_all.is_prepared_for(along({ 0, 0, 1 })));
+  EXPECT_FALSE(PointInverter(first.model(), along({ 0, 0, 1 })).is_prepared_for({}));
+}
+
+TEST(OtherOptions, AnswerLikeAnInverterOfTheirOwn)
+{
+  const Model model = model_of(shapes::bumpy(12, 5, 0.3), shapes::torus(0.5, 0.2));
+  std::vector<InversionOptions> various(9);
+  various[1].maximum_distance = 0.2;
+  various[2].certificate_tolerance = 0.0;
+  various[3] = searching(Search::Seeded);
+  various[4] = searching(Search::Local);
+  various[4].solver.method = Method::GaussNewton;
+  various[5].all_feet = true;
+  various[6].orthogonal_only = true;
+  various[7] = along({ 0, 0.1, 3 });
+  various[8] = searching(Search::Seeded);
+  various[8].seeding = { 4, 1 };
+  const Points points = random_points(40, 13, -0.5, 1.5);
+  PointInverter inverter(model);
+  for (const InversionOptions& options : various)
+  {
+    inverter = inverter.with_options(options);
+    const PointInverter fresh(model, options);
+    EXPECT_EQ(inverter.size(), fresh.size());
+    for (Eigen::Index k = 0; k < points.cols(); ++k)
+    {
+      EXPECT_TRUE(identical(inverter.find(points.col(k)), fresh.find(points.col(k)))) << k;
+      const std::vector<Foot> all = inverter.find_all(points.col(k));
+      const std::vector<Foot> expected = fresh.find_all(points.col(k));
+      ASSERT_EQ(all.size(), expected.size()) << k;
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        EXPECT_TRUE(identical(all[i], expected[i])) << k;
+      }
+    }
+  }
+  InversionOptions of_curves;
+  of_curves.solver.method = Method::FirstOrder;
+  EXPECT_THROW(inverter.with_options(of_curves), std::invalid_argument);
+}
+
+TEST(CertificateTolerance, ZeroLeavesTheSameFootUncertified)
+{
+  const PointInverter inverter(model_of(shapes::bumpy(12, 5, 0.3), shapes::torus(0.5, 0.2)));
+  InversionOptions options;
+  options.certificate_tolerance = 0.0;
+  const PointInverter nothing = inverter.with_options(options);
+  const Points points = random_points(200, 14, -0.5, 1.5);
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+  {
+    const Foot certified = inverter.find(points.col(k));
+    Foot foot = nothing.find(points.col(k));
+    EXPECT_EQ(certified.status, Status::Certified) << k;
+    EXPECT_EQ(foot.status, Status::Converged) << k;
+    foot.status = Status::Certified;
+    EXPECT_TRUE(identical(foot, certified)) << k;
   }
 }
 

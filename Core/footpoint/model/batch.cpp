@@ -2,16 +2,29 @@
 #include "footpoint/model/point_inversion.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <utility>
 
 namespace footpoint
 {
 namespace
 {
 
-/// Points between two looks at progress and cancellation: some tens of milliseconds of work at up
-/// to 30 µs a point; where all feet are sought a point takes a hundred times as long.
-constexpr std::int64_t kBlock = 1024;
-constexpr std::int64_t kBlockOfAllFeet = 64;
+/// Points that are put in an order of their own. A few thousand are enough for neighbours in space
+/// to find in the caches what the one before them has used.
+constexpr std::int64_t kBlock = 8192;
+
+/// Time between two looks at progress and cancellation: long enough to keep threads busy, short for
+/// a user who waits. How many points that is depends on geometry and points by powers of ten, so
+/// the first pieces are small, and each next one grows by this much at most.
+constexpr std::chrono::milliseconds kInterval{ 100 };
+constexpr std::chrono::milliseconds kLatest{ 400 };
+constexpr std::int64_t kFirstPiece = 64;
+constexpr double kGrowth = 8.0;
+
+/// Bits of a coordinate in the order along the curve; three of them fill a word.
+constexpr int kBits = 21;
 
 bool wants_all(const InversionOptions& options)
 {
@@ -50,6 +63,78 @@ void append(InversionResult& result, std::int64_t point, const std::vector<Foot>
   result.all_feet_point.insert(result.all_feet_point.end(), feet.size(), point);
 }
 
+/// Two zero bits after each of the low 21.
+std::uint64_t spread(std::uint64_t bits)
+{
+  bits &= 0x1fffff;
+  bits = (bits | bits << 32) & 0x001f00000000ffff;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
+
+/// The order of points along Morton's curve (G. M. Morton 1966) through their box.
+std::vector<std::int32_t> order_along_curve(const Eigen::Ref<const Points>& points)
+{
+  Box box;
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+  {
+    if (points.col(k).allFinite())
+    {
+      box.add({ points.col(k), points.col(k) });
+    }
+  }
+  constexpr double kCells = 1 << kBits;
+  // One scale for all directions, so that cells are cubes. Halves, because a width may overflow.
+  const double half = (0.5 * box.upper - 0.5 * box.lower).maxCoeff();
+  std::vector<std::pair<std::uint64_t, std::int32_t>> keys(points.cols());
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+  {
+    std::uint64_t key = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double at = (0.5 * points(i, k) - 0.5 * box.lower(i)) / half;
+      // A point that is no number goes first, as do all where they coincide.
+      const double cell = at >= 0.0 ? std::min(at * kCells, kCells - 1.0) : 0.0;
+      key |= spread(static_cast<std::uint64_t>(cell)) << i;
+    }
+    keys[k] = { key, static_cast<std::int32_t>(k) };
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::int32_t> order(keys.size());
+  std::transform(
+    keys.begin(), keys.end(), order.begin(), [](const auto& entry) { return entry.second; });
+  return order;
+}
+
+/// How many points to go on with between two looks at progress.
+class Pace
+{
+public:
+  std::int64_t piece() const { return this->Piece; }
+
+  /// Whether the piece takes so much longer than the one before that it is better broken off.
+  bool late() const { return Clock::now() - this->Last > kLatest; }
+
+  /// Says that a piece of so many points is done.
+  void done(std::int64_t points)
+  {
+    const Clock::time_point now = Clock::now();
+    const double taken = std::chrono::duration<double>(now - this->Last).count();
+    const double wanted = std::chrono::duration<double>(kInterval).count();
+    const double factor = taken * kGrowth > wanted ? wanted / taken : kGrowth;
+    this->Piece = std::clamp<std::int64_t>(
+      static_cast<std::int64_t>(factor * static_cast<double>(points)), 1, kBlock);
+    this->Last = now;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::int64_t Piece = kFirstPiece;
+  Clock::time_point Last = Clock::now();
+};
+
 } // namespace
 
 InversionResult invert(const PointInverter& inverter, const Points& points,
@@ -59,32 +144,46 @@ InversionResult invert(const PointInverter& inverter, const Points& points,
   const std::int64_t count = points.cols();
   InversionResult result;
   result.feet.assign(count, not_reached());
-  const std::int64_t step = all ? kBlockOfAllFeet : kBlock;
-  for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += step)
+  Pace pace;
+  for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += kBlock)
   {
-    const std::int64_t block = std::min(step, count - begin);
+    const std::int64_t block = std::min(kBlock, count - begin);
+    std::vector<std::int32_t> order = order_along_curve(points.middleCols(begin, block));
     std::vector<std::vector<Foot>> every(all ? block : 0);
-    execution.parallel_for(block,
-      [&](std::int64_t from, std::int64_t to)
-      {
-        PointInverter::Workspace workspace;
-        for (std::int64_t k = from; k < to; ++k)
+    std::vector<char> reached(block, 0); // no bool, of which threads would share words
+    for (auto next = order.begin(); next != order.end() && !result.cancelled;)
+    {
+      const std::int64_t piece = std::min<std::int64_t>(pace.piece(), order.end() - next);
+      execution.parallel_for(piece,
+        [&](std::int64_t from, std::int64_t to)
         {
-          const Start start = starts.empty() ? Start{} : starts[begin + k];
-          Answer found = answer(inverter, points.col(begin + k), start, all, workspace);
-          result.feet[begin + k] = found.foot;
-          if (all)
+          PointInverter::Workspace workspace;
+          for (std::int64_t i = from; i < to && (i == 0 || !pace.late()); ++i)
           {
-            every[k] = std::move(found.all);
+            const std::int32_t k = next[i];
+            const Start start = starts.empty() ? Start{} : starts[begin + k];
+            Answer found = answer(inverter, points.col(begin + k), start, all, workspace);
+            result.feet[begin + k] = found.foot;
+            if (all)
+            {
+              every[k] = std::move(found.all);
+            }
+            reached[k] = 1;
           }
-        }
-      });
+        });
+      // What was too late for this piece goes first in the next one.
+      const auto rest =
+        std::stable_partition(next, next + piece, [&](std::int32_t k) { return reached[k]; });
+      pace.done(rest - next);
+      next = rest;
+      const std::int64_t done = begin + (next - order.begin());
+      result.cancelled =
+        !execution.proceed(static_cast<double>(done) / static_cast<double>(count)) && done < count;
+    }
     for (std::size_t k = 0; k < every.size(); ++k)
     {
       append(result, begin + static_cast<std::int64_t>(k), every[k]);
     }
-    result.cancelled =
-      !execution.proceed(static_cast<double>(begin + block) / count) && begin + block < count;
   }
   return result;
 }
@@ -93,12 +192,13 @@ InversionResult invert_sequence(
   const PointInverter& inverter, const Points& points, const Execution& execution)
 {
   const bool all = wants_all(inverter.options());
-  const std::int64_t step = all ? kBlockOfAllFeet : kBlock;
   const std::int64_t count = points.cols();
   InversionResult result;
   result.feet.assign(count, not_reached());
   Start start;
   PointInverter::Workspace workspace;
+  Pace pace;
+  std::int64_t since = 0;
   for (std::int64_t k = 0; k < count && !result.cancelled; ++k)
   {
     Answer found = answer(inverter, points.col(k), start, all, workspace);
@@ -109,9 +209,13 @@ InversionResult invert_sequence(
     {
       start = { found.foot.face, found.foot.parameter };
     }
-    if ((k + 1) % step == 0)
+    if (++since == pace.piece() || k + 1 == count)
     {
-      result.cancelled = !execution.proceed(static_cast<double>(k + 1) / count);
+      pace.done(since);
+      since = 0;
+      result.cancelled =
+        !execution.proceed(static_cast<double>(k + 1) / static_cast<double>(count)) &&
+        k + 1 < count;
     }
   }
   return result;
