@@ -129,16 +129,21 @@ TEST(AllFeet, OneMinimumOfATorus)
   }
 }
 
-TEST(AllFeet, AContinuumCountsOnce)
+TEST(AllFeet, AContinuumCountsOnceByTheNearestFoot)
 {
-  const std::vector<Foot> circle =
-    PointInverter(model_of(shapes::circle()), all_feet()).find_all({ 0, 0, 1 });
-  ASSERT_EQ(circle.size(), 1u);
-  EXPECT_FALSE(circle[0].isolated);
-  const std::vector<Foot> torus =
-    PointInverter(model_of(shapes::torus()), all_feet()).find_all({ 0, 0, 0 });
-  ASSERT_EQ(torus.size(), 1u);
-  EXPECT_FALSE(torus[0].isolated);
+  const auto check = [](const PointInverter& inverter, const Vector3& query)
+  {
+    const std::vector<Foot> feet = inverter.find_all(query);
+    ASSERT_EQ(feet.size(), 1u);
+    EXPECT_FALSE(feet[0].isolated);
+    EXPECT_EQ(feet[0].status, Status::Converged);
+    Foot nearest = inverter.find(query);
+    EXPECT_EQ(nearest.status, Status::Certified);
+    nearest.status = Status::Converged;
+    EXPECT_TRUE(identical(feet[0], nearest));
+  };
+  check(PointInverter(model_of(shapes::circle()), all_feet()), { 0, 0, 1 });
+  check(PointInverter(model_of(shapes::torus()), all_feet()), { 0, 0, 0 });
 }
 
 TEST(AllFeet, AreThoseOfTheNearestFirstAndBelongToTheirPoint)

@@ -87,4 +87,38 @@ void PointInverter::Implementation::thin_out_continua(
   feet = std::move(kept);
 }
 
+/// The nearest foot and those of the list come from two searches. Of a continuum the list gets the
+/// same foot, and where the nearest is missing it is put in.
+void PointInverter::Implementation::put_nearest_in(std::vector<Foot>& feet, Foot nearest) const
+{
+  const bool certified = nearest.status == Status::Certified;
+  nearest.status = certified ? Status::Converged : nearest.status; // nothing is proved of a list
+  const double tie = tie_tolerance(nearest.distance, this->Size);
+  auto continuum = feet.end();
+  for (auto foot = feet.begin(); foot != feet.end() && foot->distance <= nearest.distance + tie;
+       ++foot)
+  {
+    if (foot->face != nearest.face || foot->distance < nearest.distance - tie)
+    {
+      continue;
+    }
+    if ((foot->point - nearest.point).norm() <= kSamePoint * this->Size)
+    {
+      return;
+    }
+    if (continuum == feet.end() && !foot->isolated && !nearest.isolated)
+    {
+      continuum = foot;
+    }
+  }
+  if (continuum != feet.end())
+  {
+    *continuum = nearest;
+  }
+  else if (certified && (feet.empty() || nearest.distance < feet.front().distance - tie))
+  {
+    feet.insert(feet.begin(), nearest);
+  }
+}
+
 } // namespace footpoint

@@ -50,6 +50,7 @@ struct PointInverter::Implementation
   bool wants_lines() const { return !this->Options.fixed_direction.isZero(0.0); }
   std::vector<Candidate> every(const Vector3& point, const Start& start) const;
   void thin_out_continua(const Vector3& point, std::vector<Candidate>& feet) const;
+  void put_nearest_in(std::vector<Foot>& feet, Foot nearest) const;
 
   // === From a candidate to a foot, in finished_foot.cpp
 

@@ -124,6 +124,14 @@ std::vector<Foot> PointInverter::find_all(const Vector3& point, const Start& sta
     {
       result.push_back(this->Data->finish(point, candidate, {}));
     }
+    if (this->Data->certifies() && !options.orthogonal_only && point.allFinite())
+    {
+      const Foot nearest = this->find(point, start);
+      if (nearest.face >= 0)
+      {
+        this->Data->put_nearest_in(result, nearest);
+      }
+    }
     return result;
   }
   const Foot foot = this->find(point, start);
