@@ -6,33 +6,14 @@
 namespace footpoint::conversion
 {
 
-namespace
-{
-
-void add_options(ContentHash& hash, const InversionOptions& options)
-{
-  const SolverOptions& solver = options.solver;
-  for (const double number : { static_cast<double>(options.search),
-         static_cast<double>(solver.method), solver.point_tolerance, solver.cosine_tolerance,
-         solver.step_tolerance, static_cast<double>(solver.maximum_iterations), solver.trust_radius,
-         static_cast<double>(solver.column_scaling), static_cast<double>(solver.isocurve_fallback),
-         static_cast<double>(options.seeding.resolution),
-         static_cast<double>(options.seeding.number_of_seeds), options.maximum_distance,
-         static_cast<double>(options.orthogonal_only), static_cast<double>(options.all_feet),
-         options.fixed_direction[0], options.fixed_direction[1], options.fixed_direction[2] })
-  {
-    hash.add(number);
-  }
-}
-
-} // namespace
-
 void CachedInverter::update(const SourceGeometry& geometry, const InversionOptions& options)
 {
-  ContentHash key = geometry.hash();
-  add_options(key, options);
-  if (this->Inverter && key == this->Key)
+  const ContentHash content = geometry.hash();
+  if (this->Inverter && content == this->Content)
   {
+    const bool prepared = this->Inverter->is_prepared_for(options);
+    *this->Inverter = this->Inverter->with_options(options);
+    this->NumberOfBuilds += prepared ? 0 : 1;
     return;
   }
   this->Inverter.reset();
@@ -49,7 +30,7 @@ void CachedInverter::update(const SourceGeometry& geometry, const InversionOptio
       GeometryDefect::Format, message.empty() ? "The source has no faces." : message);
   }
   this->Inverter = std::make_unique<PointInverter>(std::move(converted.model), options);
-  this->Key = key;
+  this->Content = content;
   ++this->NumberOfBuilds;
 }
 

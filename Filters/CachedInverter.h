@@ -18,8 +18,10 @@ namespace footpoint::conversion
 class CachedInverter
 {
 public:
-  /// Builds the inverter, unless content and options are those of the last time.
+  /// Makes the inverter for the options. Its search structure is built only where the content is
+  /// another than last time, or the options ask for one that is not there yet.
   /// \throw GeometryError where no face is left; the message has a line for each problem
+  /// \throw std::invalid_argument where the method is for curves and the geometry has surfaces
   void update(const SourceGeometry& geometry, const InversionOptions& options);
 
   const PointInverter& inverter() const { return *this->Inverter; }
@@ -29,7 +31,7 @@ public:
 
 private:
   std::unique_ptr<PointInverter> Inverter;
-  ContentHash Key;
+  ContentHash Content;
   std::vector<std::string> Problems;
   int NumberOfBuilds = 0;
 };

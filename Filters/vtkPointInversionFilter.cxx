@@ -80,6 +80,7 @@ vtkPointInversionFilter::vtkPointInversionFilter()
   this->IsocurveFallback = options.solver.isocurve_fallback;
   this->SeedResolution = options.seeding.resolution;
   this->NumberOfSeeds = options.seeding.number_of_seeds;
+  this->CertificateTolerance = options.certificate_tolerance;
   this->MaximumDistance = std::min(options.maximum_distance, VTK_DOUBLE_MAX);
   this->OrthogonalOnly = options.orthogonal_only;
   this->AllFeet = options.all_feet;
@@ -195,6 +196,7 @@ footpoint::InversionOptions vtkPointInversionFilter::Internals::Options(
   options.solver.isocurve_fallback = self->IsocurveFallback;
   options.seeding.resolution = self->SeedResolution;
   options.seeding.number_of_seeds = self->NumberOfSeeds;
+  options.certificate_tolerance = self->CertificateTolerance;
   options.maximum_distance = limit(self->MaximumDistance);
   options.orthogonal_only = self->OrthogonalOnly;
   options.all_feet = self->AllFeet;
@@ -206,7 +208,8 @@ std::string vtkPointInversionFilter::Internals::InvalidOption(vtkPointInversionF
 {
   const std::pair<const char*, double> numbers[] = { { "PointTolerance", self->PointTolerance },
     { "CosineTolerance", self->CosineTolerance }, { "StepTolerance", self->StepTolerance },
-    { "TrustRadius", self->TrustRadius }, { "MaximumDistance", self->MaximumDistance },
+    { "CertificateTolerance", self->CertificateTolerance }, { "TrustRadius", self->TrustRadius },
+    { "MaximumDistance", self->MaximumDistance },
     { "DeviationTolerance", self->DeviationTolerance },
     { "FixedDirection[0]", self->FixedDirection[0] },
     { "FixedDirection[1]", self->FixedDirection[1] },
@@ -222,6 +225,11 @@ std::string vtkPointInversionFilter::Internals::InvalidOption(vtkPointInversionF
   if (self->WarmStart && (self->AllFeet || directed))
   {
     return "WarmStart does not go together with AllFeet or FixedDirection.";
+  }
+  if (directed && (self->AllFeet || self->OrthogonalOnly))
+  {
+    return "FixedDirection, which seeks where a line meets the geometry, does not go together with "
+           "AllFeet or OrthogonalOnly.";
   }
   return "";
 }
@@ -372,6 +380,7 @@ void vtkPointInversionFilter::PrintSelf(ostream& os, vtkIndent indent)
   flag("IsocurveFallback", this->IsocurveFallback);
   os << indent << "SeedResolution: " << this->SeedResolution << "\n";
   os << indent << "NumberOfSeeds: " << this->NumberOfSeeds << "\n";
+  os << indent << "CertificateTolerance: " << this->CertificateTolerance << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   flag("OrthogonalOnly", this->OrthogonalOnly);
   flag("AllFeet", this->AllFeet);

@@ -42,7 +42,8 @@
  *
  * `SignedDistance` and `Normal` exist where the geometry has surfaces, `Tangent` where it has
  * curves.
- * At Status 3 (BeyondMaximumDistance) and 4 (InvalidPoint) floating arrays hold NaN and integer
+ * At Status 3 (BeyondMaximumDistance; also a line along FixedDirection that meets nothing) and 4
+ * (InvalidPoint) floating arrays hold NaN and integer
  * ones −1. `SignedDistance`, on models of curves alone `Distance`, becomes the active scalars.
  * The input's active normals stay what they are.
  *
@@ -62,9 +63,10 @@
  * `MaximumAbsolute`, `Mean`, `RMS`, `StandardDeviation`, `Percentile95`, `OutOfToleranceFraction`.
  *
  * If the input has a point array `SeedParameters` (1 or 2 components), its values are tried as
- * starting parameters, on the face in the point array `SeedFaceId` where that exists and is not
- * negative; NaN or missing values mean automatic starts. Otherwise results depend neither on the
- * order of points nor on the number of threads, bit for bit; see SetWarmStart().
+ * starting parameters (not for the nearest point of Search GLOBAL, which needs none), on the face
+ * in the point array `SeedFaceId` where that exists and is not negative; NaN or missing values mean
+ * automatic starts. Otherwise results depend neither on the order of points nor on the number of
+ * threads, bit for bit; see SetWarmStart().
  *
  * Bad geometry is an error that names the array, the index and the value; the outputs are empty.
  * Where a model has good faces besides, there is a warning instead, the bad face is left out (its
@@ -94,12 +96,12 @@ public:
   vtkTypeMacro(vtkPointInversionFilter, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How the starts of the local solver are found.
+  /// How the foot is sought.
   enum SearchEnum
   {
-    GLOBAL = 0, ///< from every piece of the geometry that may hold a nearer point
-    SEEDED = 1, ///< from the best samples of a coarse grid on every face
-    LOCAL = 2   ///< from one start: the given one, else the best sample
+    GLOBAL = 0, ///< in every piece of the geometry that may hold a nearer point; certifies
+    SEEDED = 1, ///< by descents from the best samples of a coarse grid on every face
+    LOCAL = 2   ///< by one descent: from the given start, else from the best sample
   };
 
   /// The step of the local solver; those from FIRST_ORDER on are for curves alone.
@@ -119,10 +121,10 @@ public:
   /// Values of the array `Status`.
   enum StatusEnum
   {
-    CERTIFIED = 0,               ///< proved to be nearest; not given by any search yet
-    CONVERGED = 1,               ///< a local minimum of the distance
-    NOT_CONVERGED = 2,           ///< the best point found
-    BEYOND_MAXIMUM_DISTANCE = 3, ///< nothing within MaximumDistance
+    CERTIFIED = 0,     ///< proved: no point is nearer by more than CertificateTolerance
+    CONVERGED = 1,     ///< a local minimum of the distance, or where a line meets the geometry
+    NOT_CONVERGED = 2, ///< the best point found
+    BEYOND_MAXIMUM_DISTANCE = 3, ///< nothing within MaximumDistance; a line that meets nothing
     INVALID_POINT = 4,           ///< a coordinate is NaN or infinite
     NO_ORTHOGONAL_FOOT = 5       ///< OrthogonalOnly: none exists, the closest point is given
   };
@@ -157,7 +159,15 @@ public:
 
   ///@{
   /**
-   * How starts are found, see SearchEnum. Default: GLOBAL.
+   * How the foot is sought, see SearchEnum. Default: GLOBAL.
+   *
+   * GLOBAL proves that its foot is the nearest point of curves and surfaces that are splines
+   * (Status CERTIFIED, see SetCertificateTolerance()); parametric functions are searched from
+   * seeds. Its search has starts and steps of its own. For the plain nearest point of splines it
+   * therefore takes no notice of Method, SeedResolution, NumberOfSeeds, `SeedParameters` and
+   * WarmStart; TrustRadius, MaximumIterations, ColumnScaling, IsocurveFallback and the tolerances
+   * of the iteration reach only the descents that settle feet on borders, kinks and poles. All of
+   * them act with SEEDED and LOCAL, and where AllFeet, OrthogonalOnly or FixedDirection is set.
    */
   vtkSetClampMacro(Search, int, GLOBAL, LOCAL);
   vtkGetMacro(Search, int);
@@ -170,7 +180,8 @@ public:
   ///@{
   /**
    * The step of the local solver, see MethodEnum. Geometry with surfaces is refused by the methods
-   * for curves. Default: NEWTON.
+   * for curves. Does not act on the plain nearest point of GLOBAL, see SetSearch().
+   * Default: NEWTON.
    */
   vtkSetClampMacro(Method, int, NEWTON, SECOND_ORDER_3);
   vtkGetMacro(Method, int);
@@ -214,7 +225,7 @@ public:
 
   ///@{
   /**
-   * Most iterations of a local search. Default: 100.
+   * Most iterations of a local search; see SetSearch() for GLOBAL. Default: 100.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
@@ -222,7 +233,8 @@ public:
 
   ///@{
   /**
-   * Longest step in space, as a fraction of the geometry's size. Default: 0.5.
+   * Longest step in space, as a fraction of the geometry's size; see SetSearch() for GLOBAL.
+   * Default: 0.5.
    */
   vtkSetClampMacro(TrustRadius, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(TrustRadius, double);
@@ -248,7 +260,8 @@ public:
 
   ///@{
   /**
-   * Samples in each direction of the coarse grid that seeds come from. Default: 7.
+   * Samples in each direction of the coarse grid that seeds come from, with SEEDED and LOCAL;
+   * the search structure holds them, so another resolution builds it anew. Default: 7.
    */
   vtkSetClampMacro(SeedResolution, int, 2, 1000);
   vtkGetMacro(SeedResolution, int);
@@ -256,10 +269,20 @@ public:
 
   ///@{
   /**
-   * How many of the grid's best samples are descended from. Default: 4.
+   * How many of the grid's best samples are descended from, with SEEDED. Default: 4.
    */
   vtkSetClampMacro(NumberOfSeeds, int, 1, 1000);
   vtkGetMacro(NumberOfSeeds, int);
+  ///@}
+
+  ///@{
+  /**
+   * What Status CERTIFIED proves: no point of the geometry is nearer than Distance minus this
+   * fraction of the geometry's size. With 0, or below the rounding of the proof (1e-14 to 1e-13),
+   * feet are the same and nothing is certified. Search GLOBAL only. Default: 1e-12.
+   */
+  vtkSetClampMacro(CertificateTolerance, double, 0.0, 1.0);
+  vtkGetMacro(CertificateTolerance, double);
   ///@}
 
   ///@{
@@ -295,7 +318,9 @@ public:
   /**
    * If not zero: instead of the nearest point, where the line through P along this vector meets the
    * geometry. Distances are measured along the line. All intersections go to output 1, nearest
-   * first, tagged with `PointId`; output 0 gets the nearest. Default: (0, 0, 0), off.
+   * first, tagged with `PointId`; output 0 gets the nearest. A line that meets nothing within
+   * MaximumDistance has Status BEYOND_MAXIMUM_DISTANCE. Refused together with AllFeet or
+   * OrthogonalOnly. Default: (0, 0, 0), off.
    */
   vtkSetVector3Macro(FixedDirection, double);
   vtkGetVector3Macro(FixedDirection, double);
@@ -304,8 +329,9 @@ public:
   ///@{
   /**
    * Start each point from the foot of the one before it in its block, for points along a path. The
-   * only mode in which results depend on the order of points; one thread. It takes no
-   * `SeedParameters` and is refused together with AllFeet or FixedDirection. Default: off.
+   * only mode in which results depend on the order of points; one thread. It acts with SEEDED and
+   * LOCAL; the certified nearest point of GLOBAL depends on no start. It takes no `SeedParameters`
+   * and is refused together with AllFeet or FixedDirection. Default: off.
    */
   vtkSetMacro(WarmStart, bool);
   vtkGetMacro(WarmStart, bool);
@@ -399,7 +425,9 @@ public:
 
   /**
    * How often the search structure was built. It is kept as long as the *content* of the geometry
-   * and the options that enter it stay the same, whatever their modification times.
+   * stays the same, whatever modification times, and built anew for the same content only where
+   * SeedResolution changes or Search, AllFeet, OrthogonalOnly or FixedDirection ask for a part of
+   * it that is not there yet.
    */
   int GetNumberOfModelBuilds() const;
 
@@ -433,6 +461,7 @@ protected:
   bool IsocurveFallback;
   int SeedResolution;
   int NumberOfSeeds;
+  double CertificateTolerance;
   double MaximumDistance;
   bool OrthogonalOnly;
   bool AllFeet;

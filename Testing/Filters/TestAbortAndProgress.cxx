@@ -56,7 +56,9 @@ void TestProgress(vtkDataObject* input, bool warm_start)
   // Some versions of VTK report 1 at the end of an abort, too.
   const auto late = [](double progress) { return progress > 0.9 && progress < 1.0; };
   CHECK(std::none_of(watcher->Steps.begin(), watcher->Steps.end(), late));
-  CHECK(watcher->Steps.size() <= 6); // of blocks of 1024 points, and the end
+  // How many points there are between two steps is a matter of time; none follows the abort.
+  const auto after = [](double progress) { return progress > 0.2 && progress < 1.0; };
+  CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), after) <= 1);
   CHECK(filter->GetFootPointsOutput()->GetNumberOfPoints() == 0);
   CHECK(filter->GetFaceStatisticsOutput()->GetNumberOfRows() == 0);
   CHECK(!filter->GetOutput()->GetFieldData()->HasArray("DistanceCount"));

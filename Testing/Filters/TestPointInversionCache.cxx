@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search structure is kept by content: not built again for other modification times or points,
-// built again for every change of content or of an option that enters it.
+// for other options of the queries, built again for every change of content or of what enters it.
 #include "FilterTesting.h"
 
 #include "vtkCompositeDataSet.h"
@@ -89,19 +89,67 @@ void TestNet()
   sphere->SetExtent(0, 8, 0, 4, 0, 0);
   CHECK(builds.Rebuilt());
 
-  // === Options
-  filter->SetSearchToSeeded();
-  CHECK(builds.Rebuilt());
-  filter->SetMethodToGaussNewton();
-  CHECK(builds.Rebuilt());
-  filter->SetSeedResolution(9);
-  CHECK(builds.Rebuilt());
-  filter->SetMaximumDistance(100.0);
-  CHECK(builds.Rebuilt());
-  filter->SetFixedDirection(0, 0, 1);
-  CHECK(builds.Rebuilt());
   filter->FlipNormalsOn();
   CHECK(builds.Rebuilt());
+  CHECK(!builds.Rebuilt());
+}
+
+/// Options of the queries alone need nothing new; what is built for some of them is kept.
+void TestOptions()
+{
+  vtkNew<vtkPointInversionFilter> filter;
+  Builds builds(filter);
+  filter->SetInputData(MakePoints(RandomPoints(5, 2.0)));
+  filter->SetSourceData(MakeSphere());
+  CHECK(builds.Rebuilt());
+
+  filter->SetMaximumDistance(100.0);
+  CHECK(!builds.Rebuilt());
+  filter->SetMaximumDistance(1e-6);
+  CHECK(!builds.Rebuilt());
+  CHECK(Value(filter->GetOutput(), "Status", 0) == 3); // and yet it acts
+  filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+  filter->SetCertificateTolerance(0.0);
+  CHECK(!builds.Rebuilt());
+  CHECK(Value(filter->GetOutput(), "Status", 0) == 1);
+  filter->SetPointTolerance(1e-10);
+  filter->SetCosineTolerance(1e-6);
+  filter->SetStepTolerance(1e-10);
+  filter->SetMaximumIterations(50);
+  filter->SetTrustRadius(0.1);
+  filter->ColumnScalingOff();
+  filter->IsocurveFallbackOff();
+  filter->SetNumberOfSeeds(2);
+  filter->SetMethodToGaussNewton();
+  CHECK(!builds.Rebuilt());
+  filter->SetSearchToSeeded();
+  CHECK(!builds.Rebuilt());
+  filter->SetSearchToLocal();
+  CHECK(!builds.Rebuilt());
+
+  // A method that the geometry refuses costs nothing but the update.
+  vtkNew<MessageRecorder> recorder;
+  recorder->Watch(filter);
+  filter->SetMethodToFirstOrder();
+  CHECK(!builds.Rebuilt());
+  CHECK(Contains(recorder->Errors, "Method FirstOrder is for curves alone"));
+  filter->SetMethodToNewton();
+  CHECK(!builds.Rebuilt());
+
+  // === What enters the structure
+  filter->SetSeedResolution(9);
+  CHECK(builds.Rebuilt());
+  filter->SetSearchToGlobal();
+  CHECK(!builds.Rebuilt());
+  filter->AllFeetOn();
+  CHECK(builds.Rebuilt());
+  filter->AllFeetOff();
+  filter->OrthogonalOnlyOn();
+  CHECK(!builds.Rebuilt());
+  filter->OrthogonalOnlyOff();
+  filter->SetFixedDirection(0, 0, 1);
+  CHECK(!builds.Rebuilt());
+  filter->SetFixedDirection(0, 0, 0);
   CHECK(!builds.Rebuilt());
 }
 
@@ -189,6 +237,7 @@ int TestPointInversionCache(int, char*[])
     []
     {
       TestNet();
+      TestOptions();
       TestComposite();
       TestPieces();
       TestFunction();

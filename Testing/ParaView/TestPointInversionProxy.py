@@ -28,6 +28,7 @@ OTHER_VALUES = {
     "PointTolerance": 1e-10,
     "CosineTolerance": 1e-6,
     "StepTolerance": 1e-10,
+    "CertificateTolerance": 0.0,
     "MaximumIterations": 2,
     "TrustRadius": 0.01,
     "ColumnScaling": 0,

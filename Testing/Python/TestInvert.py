@@ -226,7 +226,7 @@ class Results(unittest.TestCase):
     def test_repr(self):
         r = footpoint.invert([[0, 0, 0], [np.nan, 0, 0]], square(), generate_normal=False)
         self.assertIn("2 feet", repr(r))
-        self.assertIn("1 CONVERGED, 1 INVALID_POINT", repr(r))
+        self.assertIn("1 CERTIFIED, 1 INVALID_POINT", repr(r))
         self.assertNotIn("normals", repr(r))
 
     def test_statistics(self):

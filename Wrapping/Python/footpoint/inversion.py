@@ -29,9 +29,10 @@ Status = _enumeration(
     "Status",
     """What is known about a foot, the numbers of `status`.
 
-    CERTIFIED (proved to be the nearest point), CONVERGED (a local minimum of the distance),
+    CERTIFIED (proved: no point is nearer by more than certificate_tolerance), CONVERGED (a local
+    minimum of the distance, or where a line along fixed_direction meets the geometry),
     NOT_CONVERGED (the best point found), BEYOND_MAXIMUM_DISTANCE (no foot within
-    maximum_distance), INVALID_POINT (a coordinate is NaN or infinite), NO_ORTHOGONAL_FOOT (with
+    maximum_distance, or a line that meets nothing), INVALID_POINT (a coordinate is NaN or infinite), NO_ORTHOGONAL_FOOT (with
     orthogonal_only: there is none, the closest point is given).
     """,
 )
@@ -124,7 +125,8 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
         list of faces, numbered in order; or a vtkParametricFunction.
     seed_parameters : (m, 2) or, for curves, (m, 1) or (m,) array, optional
         Starting parameters of each point, tried besides those of the search (with search="Local"
-        instead of them). NaN: automatic.
+        instead of them). NaN: automatic. The certified nearest point of search="Global" depends on
+        no start. Not together with warm_start.
     seed_face_id : (m,) array of integers or one integer, optional
         Face that seed_parameters belongs to; without it or at -1 every face is tried.
 
@@ -135,12 +137,15 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
     box: the same numbers do for a screw and for a ship.
 
     search : Global, Seeded or Local, default Global
-        Where local searches start: from every piece of the geometry that may hold a nearer point,
-        from the best samples of a coarse grid, or from one start. Global misses the nearest point
-        least; nothing is certified yet.
+        How the foot is sought: in every piece of the geometry that may hold a nearer point, by
+        descents from the best samples of a coarse grid, or by one descent. Global proves that the
+        foot is the nearest point of splines (status 0). It has starts and steps of its own: method,
+        trust_radius and seeds act only in the other searches, on parametric functions, and with
+        all_feet, orthogonal_only and fixed_direction.
     method : Newton, GaussNewton, LevenbergMarquardt, SecondOrder, default Newton
         Step of the local solver; on curves also FirstOrder, CurvatureCircle, SecondOrder1,
-        SecondOrder2, SecondOrder3. Newton converges quadratically also far from the geometry.
+        SecondOrder2, SecondOrder3. Newton converges quadratically also far from the geometry. Does
+        not act on the plain nearest point of search="Global".
     point_tolerance : float, default 1e-14
         Relative distance below which a point lies on the geometry; ten times the rounding.
     cosine_tolerance : float, default 1e-12
@@ -149,17 +154,20 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
     step_tolerance : float, default 1e-15
         Relative length of a step that ends the iteration.
     maximum_iterations : int, default 100
-        Of a local search; ten are usual.
+        Of a local search; ten are usual. Acts as method does, and on feet at borders, kinks, poles.
     trust_radius : float, default 0.5
-        Longest step, relative.
+        Longest step, relative. Acts as maximum_iterations does.
     column_scaling : bool, default True
         Normalise the columns of the Jacobian, for speeds that differ by powers of ten.
     isocurve_fallback : bool, default True
         Surfaces: steps along u, then v, where the step in both is rejected.
     seed_resolution : int, default 7
-        Samples in each direction of the coarse grid.
+        Seeded and Local: samples in each direction of the coarse grid.
     number_of_seeds : int, default 4
-        Samples of the grid that are descended from.
+        Seeded: samples of the grid that are descended from.
+    certificate_tolerance : float, default 1e-12
+        What status 0 proves, relative: no point is nearer than distance - certificate_tolerance *
+        size. With 0 the feet are the same and none is certified. Global only.
     maximum_distance : float, default 1e299
         Points farther away get status 3, in model units. The default means no limit, as does inf.
     orthogonal_only : bool, default False
@@ -168,10 +176,12 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
         Every local minimum of the distance, in `all_feet` of the result.
     fixed_direction : 3 floats, default (0, 0, 0)
         If not zero: where the line through P along this vector meets the geometry. Distances are
-        measured along the line; all intersections are in `all_feet` of the result.
+        measured along the line; all intersections are in `all_feet` of the result. A line that meets
+        nothing has status 3. Not together with all_feet or orthogonal_only.
     warm_start : bool, default False
         Start each point from the foot of the one before, for points along a path. The only mode in
-        which the order of points counts.
+        which the order of points counts. Acts in the searches Seeded and Local; not together with
+        seed_parameters, all_feet or fixed_direction.
     flip_normals : bool, default False
         Reverse the normals of surfaces, and with them the sign of signed_distance.
     deviation_tolerance : float, default 1e299
@@ -203,6 +213,10 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
     """
     inverter = vtkPointInversionFilter()
     set_options(inverter, options, "invert")
+    if inverter.GetWarmStart() and seed_parameters is not None:
+        raise ValueError(
+            "warm_start takes no seed_parameters: each point starts from the foot of the one before"
+        )
     inverter.SetInputData(_point_data(points, seed_parameters, seed_face_id))
     set_geometry(inverter, geometry)
     run(inverter)
