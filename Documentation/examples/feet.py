@@ -25,7 +25,7 @@ assert r.status[1] == footpoint.Status.BEYOND_MAXIMUM_DISTANCE
 # One bad point does not stop the others.
 r = footpoint.invert([(np.nan, 0), (0, 0)], parabola)
 print(r)
-assert list(r.status) == [footpoint.Status.INVALID_POINT, footpoint.Status.CONVERGED]
+assert list(r.status) == [footpoint.Status.INVALID_POINT, footpoint.Status.CERTIFIED]
 
 # Bad geometry is an error that names the array, the index and the value.
 try:
