@@ -315,8 +315,7 @@ void in_small_ranges(
 TEST(Batch, SameBitsForAnySplitAndOrder)
 {
   const PointInverter inverter(model_of(shapes::bumpy(12, 5, 0.3), shapes::torus(0.5, 0.2)));
-  // More than a block, so that points have other neighbours when they come in another order.
-  constexpr int kCount = 9000;
+  constexpr int kCount = 3000;
   Points points = random_points(kCount, 6, -0.5, 1.5);
   points.col(17) = Vector3(NAN, 0, 0);
   points.col(18) = Vector3(0, HUGE_VAL, 0);
@@ -341,6 +340,23 @@ TEST(Batch, SameBitsForAnySplitAndOrder)
       EXPECT_TRUE(identical(whole.feet[k], inverter.find(points.col(k)))) << k;
     }
   }
+}
+
+/// More than one block is put in order, so that points have other neighbours in other orders.
+TEST(Batch, ManyPointsKeepTheirOrder)
+{
+  constexpr int kCount = 70000;
+  const PointInverter inverter(model_of(plate(0, 1)));
+  const Points points = random_points(kCount, 16, 0, 1);
+  const InversionResult result = footpoint::invert(inverter, points);
+  const InversionResult reversed = footpoint::invert(inverter, points.rowwise().reverse());
+  int different = 0;
+  for (int k = 0; k < kCount; ++k)
+  {
+    different += !identical(result.feet[k], inverter.find(points.col(k)));
+    different += !identical(result.feet[k], reversed.feet[kCount - 1 - k]);
+  }
+  EXPECT_EQ(different, 0);
 }
 
 TEST(Batch, StartsAndAllFeetKeepToTheirPoints)

@@ -11,9 +11,11 @@ namespace footpoint
 namespace
 {
 
-/// Points that are put in an order of their own. A few thousand are enough for neighbours in space
-/// to find in the caches what the one before them has used.
-constexpr std::int64_t kBlock = 8192;
+/// Points that are put in an order of their own: enough for neighbours in space to find in the
+/// caches what the ones before them have used, also where they come in no order at all, and sorted
+/// in some milliseconds. (On a surface of 300 × 300 spans random points take 13 µs each one by one,
+/// 10 in blocks of 8192, 8 in blocks of this size.)
+constexpr std::int64_t kBlock = 32768;
 
 /// Time between two looks at progress and cancellation: long enough to keep threads busy, short for
 /// a user who waits. How many points that is depends on geometry and points by powers of ten, so
@@ -21,6 +23,7 @@ constexpr std::int64_t kBlock = 8192;
 constexpr std::chrono::milliseconds kInterval{ 100 };
 constexpr std::chrono::milliseconds kLatest{ 400 };
 constexpr std::int64_t kFirstPiece = 64;
+constexpr std::int64_t kLargestPiece = 8192;
 constexpr double kGrowth = 8.0;
 
 /// Bits of a coordinate in the order along the curve; three of them fill a word.
@@ -125,7 +128,7 @@ public:
     const double wanted = std::chrono::duration<double>(kInterval).count();
     const double factor = taken * kGrowth > wanted ? wanted / taken : kGrowth;
     this->Piece = std::clamp<std::int64_t>(
-      static_cast<std::int64_t>(factor * static_cast<double>(points)), 1, kBlock);
+      static_cast<std::int64_t>(factor * static_cast<double>(points)), 1, kLargestPiece);
     this->Last = now;
   }
 
