@@ -96,7 +96,8 @@ Foot PointInverter::Implementation::nearest_certified(
     memory.search, answer);
   Foot foot;
   foot.status = answer.certified ? Status::Certified : Status::Converged;
-  if (answer.count == 1 && certified.complete() && certified.plain_foot(answer.feet[0], foot))
+  if (answer.count == 1 && answer.certified && certified.complete() &&
+    certified.plain_foot(answer.feet[0], foot))
   {
     return foot;
   }
@@ -109,7 +110,15 @@ Foot PointInverter::Implementation::nearest_certified(
       { patch, this->Patches[patch].search->refine(point, certified.patch_foot(answer.feet[k])) });
   }
   bool is_certified = answer.certified;
-  if (!certified.complete())
+  if (!answer.certified)
+  {
+    // No proof: descents on whole patches, from every cell that may hold something nearer.
+    for (const Candidate& candidate : this->nearest(point, {}, Sought::Minimum))
+    {
+      feet.push_back(candidate);
+    }
+  }
+  else if (!certified.complete())
   {
     is_certified = false;
     this->add_uncertified(point, feet);

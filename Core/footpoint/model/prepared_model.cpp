@@ -47,23 +47,20 @@ void check_method(const Model& model, Method method)
 PreparedParts::PreparedParts(const InversionOptions& options)
   : seed_resolution(options.seeding.resolution)
 {
-  const bool global = options.search == Search::Global;
-  const bool lines = !options.fixed_direction.isZero(0.0);
-  this->certificate = global && !lines;
-  this->cells = global && (lines || options.orthogonal_only || options.all_feet);
+  this->certificate =
+    options.search == Search::Global && options.fixed_direction.isZero(0.0);
 }
 
 bool PreparedParts::include(const PreparedParts& others) const
 {
   return this->seed_resolution == others.seed_resolution &&
-    this->certificate >= others.certificate && this->cells >= others.cells;
+    this->certificate >= others.certificate;
 }
 
 PreparedParts PreparedParts::joined_with(const PreparedParts& others) const
 {
   PreparedParts result = others;
   result.certificate = this->certificate || others.certificate;
-  result.cells = this->cells || others.cells;
   return result;
 }
 
@@ -76,9 +73,8 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   {
     return;
   }
-  const int cells = parts.cells
-    ? static_cast<int>(std::clamp(kCellsOfModel / count, kMinimumCells, kMaximumCells))
-    : 0;
+  const int cells =
+    static_cast<int>(std::clamp(kCellsOfModel / count, kMinimumCells, kMaximumCells));
   SeedOptions seeding;
   seeding.resolution = parts.seed_resolution;
   Box box;

@@ -26,7 +26,6 @@ struct PreparedParts
 {
   int seed_resolution = SeedOptions{}.resolution;
   bool certificate = false; ///< the certified search, for the nearest point
-  bool cells = false; ///< the cells of each patch, for everything else that is sought globally
 
   PreparedParts() = default;
   explicit PreparedParts(const InversionOptions& options);

@@ -229,11 +229,7 @@ void append_cells(
 template <int N>
 CellTree<N>::CellTree(const ParametricGeometry<N>& geometry, int minimum_cells)
 {
-  std::vector<BezierPiece<N>> pieces;
-  if (minimum_cells > 0)
-  {
-    pieces = pieces_of(geometry);
-  }
+  std::vector<BezierPiece<N>> pieces = pieces_of(geometry);
   if (pieces.empty())
   {
     return;

@@ -42,7 +42,7 @@ class CellTree
 {
 public:
   /// \param minimum_cells pieces are halved until there are about as many; the finer, the closer
-  ///                      the boxes and the fewer descents a query takes. 0: none at all
+  ///                      the boxes and the fewer descents a query takes
   /// Geometry that is no spline has no boxes: the tree is then empty.
   CellTree(const ParametricGeometry<N>& geometry, int minimum_cells);
 

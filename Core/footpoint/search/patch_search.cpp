@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace footpoint
 {
@@ -65,7 +66,7 @@ struct PatchParts
     : Shared(std::move(geometry))
     , Bounds(control_box(*this->Shared))
     , Spline((this->Bounds.lower.array() <= this->Bounds.upper.array()).all())
-    , Cells(*this->Shared, minimum_cells)
+    , MinimumCells(minimum_cells)
     , Seeds(*this->Shared, SeedOptions{ seed_resolution, 1 })
     , Dense(*this->Shared, this->Spline ? SeedOptions{ 2, 1 } : kDenseSeeds)
   {
@@ -78,9 +79,21 @@ struct PatchParts
   std::shared_ptr<const ParametricGeometry<N>> Shared;
   Box Bounds;  ///< of the control points, of samples where there are none
   bool Spline; ///< Bounds holds the geometry
-  CellTree<N> Cells;
+  int MinimumCells;
   SeededSearch<N> Seeds;
   SeededSearch<N> Dense;
+
+  /// Built when a query first needs them: most never do.
+  const CellTree<N>& cells() const
+  {
+    std::call_once(this->CellsOnce,
+      [this] { this->Cells = std::make_unique<CellTree<N>>(*this->Shared, this->MinimumCells); });
+    return *this->Cells;
+  }
+
+private:
+  mutable std::once_flag CellsOnce;
+  mutable std::unique_ptr<const CellTree<N>> Cells;
 };
 
 template <int N>
@@ -95,7 +108,6 @@ public:
     , NumberOfSeeds(number_of_seeds)
     , Bounds(this->Parts->Bounds)
     , Spline(this->Parts->Spline)
-    , Cells(this->Parts->Cells)
     , Seeds(this->Parts->Seeds)
     , Dense(this->Parts->Dense)
   {
@@ -235,9 +247,9 @@ private:
     {
       return;
     }
-    if (query.search == Search::Global && !this->Cells.empty())
+    if (query.search == Search::Global && this->Spline)
     {
-      this->Cells.traverse(this->cell_bound(at, query), limit, visit);
+      this->Parts->cells().traverse(this->cell_bound(at, query), limit, visit);
       return;
     }
     const bool dense = query.search == Search::Global;
@@ -350,7 +362,6 @@ private:
   int NumberOfSeeds;
   Box Bounds;
   bool Spline;
-  const CellTree<N>& Cells;
   const SeededSearch<N>& Seeds;
   const SeededSearch<N>& Dense;
 };

@@ -95,7 +95,7 @@ public:
   virtual bool lower(const PatchFoot& a, const PatchFoot& b) const = 0;
 };
 
-/// \param minimum_cells see CellTree; 0: there will be no global search of this patch
+/// \param minimum_cells see CellTree
 template <int N>
 std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
