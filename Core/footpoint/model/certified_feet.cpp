@@ -21,6 +21,11 @@ constexpr double kPlainCurvature = 1e-5;
 /// … and where the sine between S_u and S_v is above this.
 constexpr double kPlainSine = 1e-6;
 
+/// Pieces that cutting may make of all patches together, and of one: about 2.4 KB each where bicubic.
+constexpr std::size_t kPiecesOfModel = 65536;
+constexpr std::size_t kFewestPieces = 4;
+constexpr std::size_t kMostPieces = 1024;
+
 /// How far the extracted pieces may lie from the geometry by rounding, as a fraction of the size: a
 /// few roundings for each step of the blossom, of the shift to the piece's origin and of the
 /// evaluation (see Documentation/CertifiedSearch.md).
@@ -47,7 +52,8 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
   , Centre(centre)
   , Size(size)
 {
-  DistanceForms forms;
+  DistanceForms forms(std::clamp(
+    kPiecesOfModel / std::max<std::size_t>(this->Members.size(), 1), kFewestPieces, kMostPieces));
   int degrees = 0;
   for (std::size_t k = 0; k < this->Members.size(); ++k)
   {

@@ -54,9 +54,8 @@ std::vector<double> halving_weights(int n, int end, int stride)
 /// since cells that are small beside the distances in question need no better shape.
 constexpr double kWeightRatio = 3.0;
 constexpr double kStraightness = 0.1;
-constexpr std::size_t kFewPieces = 1024;
 constexpr int kWeightCuts = 50;
-constexpr std::size_t kWeightPieces = 4096; ///< that many more a patch, at most
+constexpr std::size_t kWeightPieces = 4; ///< that many times few_pieces more, at most
 
 /// How far a net is from straight along one direction: its largest second difference over its
 /// largest extent; and the ratio of neighbouring weights.
@@ -146,12 +145,12 @@ std::vector<BezierPiece<N>> cut_while(
 }
 
 template <int N>
-std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces)
+std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces, std::size_t few_pieces)
 {
-  const std::size_t limit = pieces.size() + kWeightPieces;
+  const std::size_t limit = pieces.size() + kWeightPieces * few_pieces;
   pieces = cut_while<N>(std::move(pieces), kWeightRatio, limit, kWeightCuts,
     [](const BezierPiece<N>& piece, int i) { return weight_ratio<N>(piece, i); });
-  return cut_while<N>(std::move(pieces), kStraightness, kFewPieces, 8,
+  return cut_while<N>(std::move(pieces), kStraightness, few_pieces, 8,
     [](const BezierPiece<N>& piece, int i) { return bend<N>(piece, i); });
 }
 
@@ -386,14 +385,14 @@ void DistanceForms::append(std::int32_t patch, std::vector<BezierPiece<N>> piece
 void DistanceForms::add(std::int32_t patch, const Curve& curve, const Vector3& offset,
   const std::array<std::array<bool, 2>, 2>& special)
 {
-  this->append<1>(patch, refine<1>(extract_bezier(curve)), curve, curve.rational(), offset,
+  this->append<1>(patch, refine<1>(extract_bezier(curve), this->FewPieces), curve, curve.rational(), offset,
     special);
 }
 
 void DistanceForms::add(std::int32_t patch, const Surface& surface, const Vector3& offset,
   const std::array<std::array<bool, 2>, 2>& special)
 {
-  this->append<2>(patch, refine<2>(extract_bezier(surface)), surface,
+  this->append<2>(patch, refine<2>(extract_bezier(surface), this->FewPieces), surface,
     surface.rational(), offset, special);
 }
 

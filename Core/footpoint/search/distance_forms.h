@@ -72,8 +72,16 @@ struct Piece
 class DistanceForms
 {
 public:
-  /// Adds the pieces of a patch, cut further where `Refinement` says so.
+  /// \param few_pieces bent pieces are cut as long as their patch has fewer than so many: speed for
+  ///                   patches of few pieces, bounded memory for models of many patches
+  explicit DistanceForms(std::size_t few_pieces = 1024)
+    : FewPieces(few_pieces)
+  {
+  }
+
+  /// Adds the pieces of a patch.
   /// \param offset of the patch's centre from the model's
+  /// \param special sides that are no boundary: [direction][end]
   void add(std::int32_t patch, const Curve& curve, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special);
   void add(std::int32_t patch, const Surface& surface, const Vector3& offset,
@@ -91,6 +99,7 @@ private:
     const ParametricGeometry<N>& geometry, bool rational, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special);
 
+  std::size_t FewPieces;
   std::vector<std::unique_ptr<PieceShape>> Shapes;
   std::vector<AlignedArray> Numbers;
   std::vector<Piece> Pieces;
