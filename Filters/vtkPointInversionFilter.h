@@ -166,8 +166,9 @@ public:
    * seeds. Its search has starts and steps of its own. For the plain nearest point of splines it
    * therefore takes no notice of Method, SeedResolution, NumberOfSeeds, `SeedParameters` and
    * WarmStart; TrustRadius, MaximumIterations, ColumnScaling, IsocurveFallback and the tolerances
-   * of the iteration reach only the descents that settle feet on borders, kinks and poles. All of
-   * them act with SEEDED and LOCAL, and where AllFeet, OrthogonalOnly or FixedDirection is set.
+   * of the iteration reach only the descents that settle feet on borders, kinks and poles, and
+   * those that are tried where the proof does not succeed (there Method acts, too). All of them act
+   * with SEEDED and LOCAL, and where AllFeet, OrthogonalOnly or FixedDirection is set.
    */
   vtkSetClampMacro(Search, int, GLOBAL, LOCAL);
   vtkGetMacro(Search, int);
@@ -279,7 +280,8 @@ public:
   /**
    * What Status CERTIFIED proves: no point of the geometry is nearer than Distance minus this
    * fraction of the geometry's size. With 0, or below the rounding of the proof (1e-14 to 1e-13),
-   * feet are the same and nothing is certified. Search GLOBAL only. Default: 1e-12.
+   * nothing is certified; feet are the same to rounding and take longer, since further descents
+   * are tried where nothing is proved. Search GLOBAL only. Default: 1e-12.
    */
   vtkSetClampMacro(CertificateTolerance, double, 0.0, 1.0);
   vtkGetMacro(CertificateTolerance, double);
@@ -426,8 +428,7 @@ public:
   /**
    * How often the search structure was built. It is kept as long as the *content* of the geometry
    * stays the same, whatever modification times, and built anew for the same content only where
-   * SeedResolution changes or Search, AllFeet, OrthogonalOnly or FixedDirection ask for a part of
-   * it that is not there yet.
+   * SeedResolution changes, or where GLOBAL is used for the first time after other searches.
    */
   int GetNumberOfModelBuilds() const;
 

@@ -99,7 +99,8 @@ TEST(CertifiedSearch, NoToleranceNoCertificate)
     const Foot foot = strict.find(points.col(k));
     // What is level to rounding is never proved to the last bit.
     certified += foot.status == Status::Certified;
-    EXPECT_EQ(foot.distance, usual.find(points.col(k)).distance);
+    // Descents on whole patches end within rounding of where the pieces' ended.
+    EXPECT_NEAR(foot.distance, usual.find(points.col(k)).distance, 1e-15 * usual.size());
   }
   // Far corners are proved without any tolerance; most others are not.
   EXPECT_LT(certified, 40);

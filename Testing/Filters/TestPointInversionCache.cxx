@@ -142,7 +142,7 @@ void TestOptions()
   filter->SetSearchToGlobal();
   CHECK(!builds.Rebuilt());
   filter->AllFeetOn();
-  CHECK(builds.Rebuilt());
+  CHECK(!builds.Rebuilt());
   filter->AllFeetOff();
   filter->OrthogonalOnlyOn();
   CHECK(!builds.Rebuilt());
@@ -151,6 +151,20 @@ void TestOptions()
   CHECK(!builds.Rebuilt());
   filter->SetFixedDirection(0, 0, 0);
   CHECK(!builds.Rebuilt());
+
+  // Seeds and lines do without the certified search, which is built where it is asked for.
+  vtkNew<vtkPointInversionFilter> seeded;
+  Builds later(seeded);
+  seeded->SetInputData(filter->GetInput());
+  seeded->SetSourceData(MakeSphere());
+  seeded->SetSearchToSeeded();
+  CHECK(later.Rebuilt());
+  seeded->SetSearchToGlobal();
+  CHECK(later.Rebuilt());
+  seeded->SetSearchToSeeded();
+  CHECK(!later.Rebuilt());
+  seeded->SetSearchToGlobal();
+  CHECK(!later.Rebuilt());
 }
 
 void TestComposite()

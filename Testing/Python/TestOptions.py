@@ -94,8 +94,8 @@ class Numbers(unittest.TestCase):
             bare = footpoint.invert(points, geometry, certificate_tolerance=0)
             equal(r.status, Status.CERTIFIED)
             equal(bare.status, Status.CONVERGED)
-            equal(bare.parameters, r.parameters)
-            equal(bare.distance, r.distance)
+            close(bare.closest_points, r.closest_points, atol=1e-12)
+            close(bare.distance, r.distance, atol=1e-14)
             same = footpoint.invert(points, geometry, certificate_tolerance=1e-12)
             equal(same.status, Status.CERTIFIED)
         # What is not sought globally is not proved.

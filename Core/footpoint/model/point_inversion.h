@@ -85,8 +85,7 @@ public:
   /// \throw std::invalid_argument as the constructor
   PointInverter with_options(const InversionOptions& options) const;
   /// Whether queries with these options find everything built: the seed resolution has to be the
-  /// same, and the search, all_feet, orthogonal_only and fixed_direction must ask for no structure
-  /// that is not there yet.
+  /// same, and the certified search there where they need it (Search::Global without a direction).
   bool is_prepared_for(const InversionOptions& options) const;
 
   const Model& model() const;

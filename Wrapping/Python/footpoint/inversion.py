@@ -167,7 +167,8 @@ def invert(points, geometry, *, seed_parameters=None, seed_face_id=None, **optio
         Seeded: samples of the grid that are descended from.
     certificate_tolerance : float, default 1e-12
         What status 0 proves, relative: no point is nearer than distance - certificate_tolerance *
-        size. With 0 the feet are the same and none is certified. Global only.
+        size. With 0 none is certified; the feet are the same to rounding, and take longer, since
+        further descents are tried where nothing is proved. Global only.
     maximum_distance : float, default 1e299
         Points farther away get status 3, in model units. The default means no limit, as does inf.
     orthogonal_only : bool, default False
