@@ -31,6 +31,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr int kMostCells = 20000;
 constexpr int kMostHalvings = 100;
 
+/// Newton's method is begun at once on the first piece if its box is nearer than this part of the
+/// piece's size. Farther away another piece may well be nearer, and a bound is what is wanted.
+constexpr double kNearPiece = 0.25;
+
 /// Which of up to 64 numbers are at most a limit, one bit each.
 HWY_INLINE std::uint64_t at_most(const double* values, int count, double limit)
 {
@@ -59,10 +63,9 @@ struct Differences
 class Finder
 {
 public:
-  Finder(const DistanceForms& forms, const BoxTree& tree, const CertifiedQuery& query,
+  Finder(const SearchStructure& structure, const CertifiedQuery& query,
     SearchWorkspace& workspace, CertifiedAnswer& answer)
-    : Forms(forms)
-    , Tree(tree)
+    : Structure(structure)
     , Query(query)
     , Workspace(workspace)
     , Answer(answer)
@@ -80,9 +83,9 @@ public:
     this->Answer.count = 0;
     this->Workspace.candidates.clear();
     this->Workspace.survivors.clear();
-    if (!this->Tree.nodes().empty())
+    if (!this->Structure.tree.nodes().empty())
     {
-      this->seed();
+      this->begin();
       this->collect();
       this->descend_on_candidates();
     }
@@ -105,7 +108,7 @@ private:
   PieceQuery at(std::int32_t index) const
   {
     PieceQuery query;
-    query.piece = &this->Forms.pieces()[index];
+    query.piece = &this->Structure.forms.pieces()[index];
     query.index = index;
     for (int k = 0; k < 3; ++k)
     {
@@ -140,15 +143,18 @@ private:
 
   void box_distances(const BoxTree::Node& node, double* squared) const;
   /// Goes to the piece whose box seems nearest, for a first bound.
-  void seed();
+  void begin();
+  void begin_with(std::int32_t index, double squared);
   /// Finds the pieces that may hold something within reach.
   void collect();
-  void descend_on_candidates();
   void collect(std::int32_t index);
-  /// The nearest corner of a piece bounds the distance from above.
-  void bound_by_corners(const PieceQuery& query, const double* f, double level, double margin);
+  /// A point of a piece bounds the distance from above. \param squared distance of that point
+  void bound_by(const PieceQuery& query, const Pair& t, double squared);
+  /// Where the tangent plane of the piece's middle is nearest.
+  Pair guess(const PieceQuery& query) const;
   /// Whether the smallest coefficient of a piece says that it holds nothing within reach.
   bool excludes(double least) const { return this->Bound < kInfinity && least >= 0.0; }
+  void descend_on_candidates();
   void descend_from(const PieceQuery& query, const Pair& start);
   PieceFoot foot_of(const PieceQuery& query, const Place& place, int iterations) const;
   /// Keeps a foot if it is of interest; true where it is nearer than all before by more than a tie.
@@ -193,15 +199,14 @@ private:
     return this->Workspace.coefficients.data() + k * size;
   }
 
-  const DistanceForms& Forms;
-  const BoxTree& Tree;
+  const SearchStructure& Structure;
   const CertifiedQuery& Query;
   SearchWorkspace& Workspace;
   CertifiedAnswer& Answer;
   double P[3];
   double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
   double SquaredBound = kInfinity;
-  /// The way that seed() went down the tree.
+  /// The way that begin() went down the tree.
   struct Visit
   {
     HWY_ALIGN double squared[BoxTree::kWidth];
@@ -210,8 +215,8 @@ private:
   };
   Visit Path[16];
   int Depth = 0;
-  std::int32_t Nearest = -1; ///< the piece whose corner gave Bound, and the corner
-  Pair Corner{ { 0.0, 0.0 } };
+  std::int32_t Nearest = -1; ///< the piece with the point that gave Bound, and that point
+  Pair NearestAt{ { 0.0, 0.0 } };
   int Cells = 0;
   // Of the piece that is being proved:
   double Slack = 0.0;   ///< d² − (d − tolerance)²
@@ -313,13 +318,19 @@ HWY_INLINE double parabola_start(double before, double here, double after, int a
 /// Where to start from, near the smallest coefficient.
 Pair Finder::start_of(const PieceShape& shape, const double* coefficients, double least)
 {
+  const hn::CappedTag<double, 8> tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
   int k = 0;
-  std::uint64_t bits = 0;
-  for (; bits == 0 && k < shape.form_size; k += 64)
+  for (int i = 0; i < shape.form_size; i += lanes)
   {
-    bits = at_most(coefficients + k, std::min(64, shape.form_size - k), least);
+    const auto is_least = hn::Eq(hn::LoadU(tag, coefficients + i), hn::Set(tag, least));
+    const auto at = hn::FindFirstTrue(tag, is_least);
+    if (at >= 0)
+    {
+      k = i + static_cast<int>(at);
+      break;
+    }
   }
-  k = bits == 0 ? 0 : k - 64 + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
   const int row = k / shape.stride;
   const int column = std::min(k % shape.stride, shape.columns - 1);
   Pair start{ { 0.0, 0.0 } };
@@ -363,9 +374,9 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
   }
 }
 
-void Finder::seed()
+void Finder::begin()
 {
-  const std::vector<BoxTree::Node>& nodes = this->Tree.nodes();
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   const hn::CappedTag<double, 8> tag;
   const hn::Rebind<float, decltype(tag)> single;
   const int lanes = static_cast<int>(hn::Lanes(tag));
@@ -402,51 +413,13 @@ void Finder::seed()
     child = node.child[visit.followed];
   } while (child >= 0);
 
-  const std::int32_t index = -1 - child;
-  const PieceQuery query = this->at(index);
-  const PieceShape& shape = *query.piece->shape;
-  const Level level = this->reach_of(query);
-  double* f = this->coefficients(0, shape.form_size);
-  const double least = this->form(query, level.constant - level.margin, f);
-  if (this->excludes(least))
-  {
-    return;
-  }
-  this->bound_by_corners(query, f, level.level, level.margin);
-  if (least + level.level < 0.25 * this->Bound * this->Bound)
-  {
-    this->descend_from(query, start_of(shape, f, least));
-  }
-  else
-  {
-    this->Workspace.candidates.push_back({ index, least + level.level });
-  }
-}
-
-void Finder::bound_by_corners(
-  const PieceQuery& query, const double* f, double level, double margin)
-{
-  const PieceShape& shape = *query.piece->shape;
-  const double* weights = query.piece->forms + 4 * shape.form_size;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const int row = corner / 2 * (shape.rows - 1);
-    const int column = corner % 2 * (shape.columns - 1);
-    const int k = row * shape.stride + column;
-    const double squared = (shape.rational ? f[k] / weights[k] : f[k]) + level + 2.0 * margin;
-    if (squared < this->SquaredBound)
-    {
-      this->SquaredBound = squared;
-      this->Bound = std::sqrt(std::max(squared, 0.0)) * (1.0 + 4.0 * kRounding);
-      this->Nearest = query.index;
-      this->Corner = { { corner / 2 * 1.0, corner % 2 * 1.0 } };
-    }
-  }
+  const Visit& last = this->Path[this->Depth - 1];
+  this->begin_with(-1 - child, last.squared[last.followed]);
 }
 
 void Finder::collect()
 {
-  const std::vector<BoxTree::Node>& nodes = this->Tree.nodes();
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   // Each level leaves at most seven siblings behind; 2^32 boxes are eleven levels.
   std::int32_t stack[BoxTree::kWidth * 16];
   int top = 0;
@@ -470,7 +443,7 @@ void Finder::collect()
       }
     }
   };
-  // What seed() passed on its way, the nearest first.
+  // What begin() passed on its way, the nearest first.
   for (int k = this->Depth - 1; k >= 0; --k)
   {
     const Visit& visit = this->Path[k];
@@ -485,10 +458,56 @@ void Finder::collect()
   }
 }
 
+Pair Finder::guess(const PieceQuery& query) const
+{
+  const TangentPlane& plane = this->Structure.planes[query.index];
+  Pair t;
+  for (int i = 0; i < 2; ++i)
+  {
+    double at = 0.5;
+    for (int k = 0; k < 3; ++k)
+    {
+      at += plane.rows[i][k] * (query.p[k] - plane.point[k]);
+    }
+    t[i] = std::min(std::max(at, 0.0), 1.0);
+  }
+  return t;
+}
+
+void Finder::begin_with(std::int32_t index, double squared)
+{
+  const PieceQuery query = this->at(index);
+  const Pair start = this->guess(query);
+  const double reach = query.piece->reach;
+  if (squared <= kNearPiece * kNearPiece * reach * reach)
+  {
+    this->descend_from(query, start);
+    return;
+  }
+  Place place;
+  place.t = start;
+  evaluate_at(query, place);
+  const Level level = this->level_of(query, std::sqrt(place.squared));
+  this->bound_by(query, place.t, place.squared + 2.0 * level.margin);
+  this->collect(index);
+}
+
+void Finder::bound_by(const PieceQuery& query, const Pair& t, double squared)
+{
+  if (squared < this->SquaredBound)
+  {
+    this->SquaredBound = squared;
+    this->Bound = std::sqrt(std::max(squared, 0.0)) * (1.0 + 4.0 * kRounding);
+    this->Nearest = query.index;
+    this->NearestAt = t;
+  }
+}
+
 void Finder::collect(std::int32_t index)
 {
   const PieceQuery query = this->at(index);
-  const PieceShape& shape = *query.piece->shape;
+  const Piece& piece = *query.piece;
+  const PieceShape& shape = *piece.shape;
   const Level level = this->reach_of(query);
   double* f = this->coefficients(0, shape.form_size);
   const double least = this->form(query, level.constant - level.margin, f);
@@ -496,8 +515,20 @@ void Finder::collect(std::int32_t index)
   {
     return;
   }
-  this->Workspace.candidates.push_back({ index, least + level.level });
-  this->bound_by_corners(query, f, level.level, level.margin);
+  // F = w²(|S − P|² − T) ≥ least.
+  const double bound =
+    level.level + least / (least < 0.0 ? piece.least_weight : piece.greatest_weight);
+  this->Workspace.candidates.push_back({ index, bound });
+  // The corners are points of the piece.
+  const double* weights = piece.forms + 4 * shape.form_size;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int row = corner / 2 * (shape.rows - 1);
+    const int column = corner % 2 * (shape.columns - 1);
+    const int k = row * shape.stride + column;
+    this->bound_by(query, { { corner / 2 * 1.0, corner % 2 * 1.0 } },
+      (shape.rational ? f[k] / weights[k] : f[k]) + level.level + 2.0 * level.margin);
+  }
 }
 
 void Finder::descend_on_candidates()
@@ -512,24 +543,23 @@ void Finder::descend_on_candidates()
   for (const SearchWorkspace::Candidate& candidate : candidates)
   {
     const PieceQuery query = this->at(candidate.piece);
-    const PieceShape& shape = *query.piece->shape;
     const Level level = this->reach_of(query);
-    if (!shape.rational && candidate.bound >= level.level + 2.0 * level.margin)
+    if (candidate.bound >= level.level + 2.0 * level.margin)
     {
       continue;
     }
+    const PieceShape& shape = *query.piece->shape;
     double* f = this->coefficients(0, shape.form_size);
     const double least = this->form(query, level.constant - level.margin, f);
-    if (this->excludes(least))
+    if (!this->excludes(least))
     {
-      continue;
+      this->descend_from(query, start_of(shape, f, least));
     }
-    this->descend_from(query, start_of(shape, f, least));
   }
-  if (!this->found() && this->Nearest >= 0)
+  if (this->Nearest >= 0 && !(this->found() && this->best().distance <= this->Bound))
   {
-    // No descent came as near as that corner.
-    this->descend_from(this->at(this->Nearest), this->Corner);
+    // No descent came as near as that point.
+    this->descend_from(this->at(this->Nearest), this->NearestAt);
   }
 }
 
@@ -549,18 +579,18 @@ PieceFoot Finder::foot_of(const PieceQuery& query, const Place& place, int itera
   foot.t = place.t;
   for (int k = 0; k < 3; ++k)
   {
-    foot.position[k] = query.piece->origin[k] + place.jet[k][0];
+    foot.position[k] = query.piece->origin[k] + place.jet[kS][k];
     foot.offset[k] = place.r[k];
-    foot.first[0][k] = place.jet[k][1];
-    foot.first[1][k] = place.jet[k][2];
+    foot.first[0][k] = place.jet[kSu][k];
+    foot.first[1][k] = place.jet[kSv][k];
   }
   foot.distance = std::sqrt(place.squared);
   foot.gradient = place.gradient;
   foot.hessian = place.hessian;
   foot.metric = { { place.metric[0], place.metric[1] } };
   const bool rational = query.piece->shape->rational;
-  foot.weight = { { rational ? place.jet[3][0] : 1.0, rational ? place.jet[3][1] : 0.0,
-    rational ? place.jet[3][2] : 0.0 } };
+  foot.weight = { { rational ? place.jet[kS][3] : 1.0, rational ? place.jet[kSu][3] : 0.0,
+    rational ? place.jet[kSv][3] : 0.0 } };
   foot.iterations = iterations;
   return foot;
 }
@@ -637,10 +667,10 @@ namespace footpoint
 namespace HWY_NAMESPACE
 {
 
-void find_nearest(const DistanceForms& forms, const BoxTree& tree, const CertifiedQuery& query,
+void find_nearest(const SearchStructure& structure, const CertifiedQuery& query,
   SearchWorkspace& workspace, CertifiedAnswer& answer)
 {
-  Finder(forms, tree, query, workspace, answer).run();
+  Finder(structure, query, workspace, answer).run();
 }
 
 } // namespace HWY_NAMESPACE
@@ -657,15 +687,14 @@ HWY_EXPORT(find_nearest);
 }
 
 CertifiedSearch::CertifiedSearch(DistanceForms forms)
-  : Forms(std::move(forms))
-  , Tree(this->Forms.boxes())
+  : Structure(std::move(forms))
 {
 }
 
 void CertifiedSearch::find(
   const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const
 {
-  HWY_DYNAMIC_DISPATCH(find_nearest)(this->Forms, this->Tree, query, workspace, answer);
+  HWY_DYNAMIC_DISPATCH(find_nearest)(this->Structure, query, workspace, answer);
 }
 
 } // namespace footpoint

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "footpoint/search/box_tree.h"
-#include "footpoint/search/distance_forms.h"
+#include "footpoint/search/search_structure.h"
 
 #include <array>
 #include <cstdint>
@@ -35,7 +34,7 @@ struct SearchWorkspace
   struct Candidate
   {
     std::int32_t piece;
-    double bound; ///< of |S − P|² where the piece is polynomial; else just its order
+    double bound; ///< of |S − P|²
   };
   struct Cell
   {
@@ -86,15 +85,14 @@ public:
   CertifiedSearch() = default;
   explicit CertifiedSearch(DistanceForms forms);
 
-  bool empty() const { return this->Forms.pieces().empty(); }
-  const Piece& piece(std::int32_t k) const { return this->Forms.pieces()[k]; }
-  std::size_t number_of_pieces() const { return this->Forms.pieces().size(); }
+  bool empty() const { return this->number_of_pieces() == 0; }
+  const Piece& piece(std::int32_t k) const { return this->Structure.forms.pieces()[k]; }
+  std::size_t number_of_pieces() const { return this->Structure.forms.pieces().size(); }
 
   void find(const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const;
 
 private:
-  DistanceForms Forms;
-  BoxTree Tree;
+  SearchStructure Structure;
 };
 
 } // namespace footpoint

@@ -61,6 +61,30 @@ HWY_INLINE double bound_of_length(const double* a)
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
 
+/// Degrees of the pieces go up to this (validated when a knot vector is made).
+constexpr int kMostDegree = 31;
+
+struct Binomials
+{
+  double value[kMostDegree + 1][kMostDegree + 1];
+};
+
+constexpr Binomials make_binomials()
+{
+  Binomials result{};
+  for (int n = 0; n <= kMostDegree; ++n)
+  {
+    result.value[n][0] = 1.0;
+    for (int k = 1; k <= n; ++k)
+    {
+      result.value[n][k] = result.value[n - 1][k - 1] + (k < n ? result.value[n - 1][k] : 0.0);
+    }
+  }
+  return result;
+}
+
+constexpr Binomials kBinomials = make_binomials();
+
 /// Bernstein polynomials of degree n and their first two derivatives.
 HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
 {
@@ -97,6 +121,20 @@ HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
     }
     return;
   }
+  // Degree n − 2 by powers, then twice one degree more.
+  b[0] = 1.0;
+  double power = 1.0;
+  for (int k = 1; k <= n - 2; ++k)
+  {
+    power *= t;
+    b[k] = kBinomials.value[n - 2][k] * power;
+  }
+  power = 1.0;
+  for (int k = n - 3; k >= 0; --k)
+  {
+    power *= s;
+    b[k] *= power;
+  }
   auto raise = [s, t](int to, double* values)
   {
     values[to] = t * values[to - 1];
@@ -106,11 +144,6 @@ HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
     }
     values[0] *= s;
   };
-  b[0] = 1.0;
-  for (int k = 1; k <= n - 2; ++k)
-  {
-    raise(k, b);
-  }
   for (int k = 0; k <= n; ++k)
   {
     const double left = k >= 2 ? b[k - 2] : 0.0;
@@ -126,109 +159,29 @@ HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
   raise(n, b);
 }
 
-/// Order of the numbers in a jet: S, S_u, S_v, S_uu, S_uv, S_vv and two that are not used.
-constexpr int kJet = 8;
+/// Order of the derivatives in a jet.
+enum JetEntry : int
+{
+  kS,
+  kSu,
+  kSv,
+  kSuu,
+  kSuv,
+  kSvv,
+  kJet
+};
 
 /// A point of a piece as a query sees it; coordinates are relative to the piece's origin.
 struct Place
 {
   Pair t;
-  HWY_ALIGN double jet[4][kJet]; ///< x, y, z, and w with its derivatives
+  HWY_ALIGN double jet[kJet][4]; ///< of S, and in the last column of w; polynomials: not set
   double r[3];                   ///< S − P
   double squared;                ///< |S − P|²
   Pair gradient;                 ///< of E = ½|S − P|²
   Triple hessian;
   double metric[2]; ///< |S_u|², |S_v|²
 };
-
-/// Powers of t times these are the Bernstein polynomials of degree 1 … 3 and their derivatives, in
-/// the order of a jet: weights of row i (u) and of column i (v) of the net. In higher degrees the
-/// coefficients grow too large for this.
-constexpr int kMostTabulated = 3;
-struct PowerTable
-{
-  HWY_ALIGN double row[kMostTabulated + 1][kMostTabulated + 1][kJet];
-  HWY_ALIGN double column[kMostTabulated + 1][kMostTabulated + 1][kJet];
-};
-
-constexpr PowerTable make_power_table(int n)
-{
-  constexpr double kBinomial[4][4] = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 1, 2, 1, 0 },
-    { 1, 3, 3, 1 } };
-  constexpr int kOrderOfU[kJet] = { 0, 1, 0, 2, 1, 0, 0, 0 };
-  constexpr int kOrderOfV[kJet] = { 0, 0, 1, 0, 1, 2, 0, 0 };
-  PowerTable table{};
-  for (int i = 0; i <= n; ++i)
-  {
-    double derivative[3][6] = {};
-    for (int k = i; k <= n; ++k)
-    {
-      const double sign = (k - i) % 2 == 0 ? 1.0 : -1.0;
-      derivative[0][k] = sign * kBinomial[n][i] * kBinomial[n - i][k - i];
-    }
-    for (int order = 1; order < 3; ++order)
-    {
-      for (int k = 0; k + 1 <= n; ++k)
-      {
-        derivative[order][k] = (k + 1) * derivative[order - 1][k + 1];
-      }
-    }
-    for (int k = 0; k <= n; ++k)
-    {
-      for (int lane = 0; lane < 6; ++lane)
-      {
-        table.row[i][k][lane] = derivative[kOrderOfU[lane]][k];
-        table.column[i][k][lane] = derivative[kOrderOfV[lane]][k];
-      }
-    }
-  }
-  return table;
-}
-
-constexpr PowerTable kPowers[kMostTabulated + 1] = { make_power_table(0), make_power_table(1),
-  make_power_table(2), make_power_table(3) };
-
-/// The weights of all rows (or columns) of the net, in the order of a jet.
-template <int Degree>
-HWY_INLINE void net_weights(int degree, double t, bool columns, double (*weights)[kJet])
-{
-  if (Degree >= 0)
-  {
-    const hn::CappedTag<double, kJet> tag;
-    const int lanes = static_cast<int>(hn::Lanes(tag));
-    constexpr int n = Degree >= 0 ? Degree : 0;
-    const auto& table = columns ? kPowers[n].column : kPowers[n].row;
-    const auto at = hn::Set(tag, t);
-    for (int i = 0; i <= n; ++i)
-    {
-      for (int h = 0; h < kJet; h += lanes)
-      {
-        auto value = hn::LoadU(tag, table[i][n] + h);
-        for (int k = n - 1; k >= 0; --k)
-        {
-          value = hn::MulAdd(value, at, hn::LoadU(tag, table[i][k] + h));
-        }
-        hn::StoreU(value, tag, weights[i] + h);
-      }
-    }
-    return;
-  }
-  double b[32];
-  double d[32];
-  double dd[32];
-  bernstein(degree, t, b, d, dd);
-  for (int i = 0; i <= degree; ++i)
-  {
-    double* w = weights[i];
-    w[0] = b[i];
-    w[1] = columns ? b[i] : d[i];
-    w[2] = columns ? d[i] : b[i];
-    w[3] = columns ? b[i] : dd[i];
-    w[4] = d[i];
-    w[5] = columns ? dd[i] : b[i];
-    w[6] = w[7] = 0.0;
-  }
-}
 
 /// The part of a query that belongs to one piece.
 struct PieceQuery
@@ -241,97 +194,118 @@ struct PieceQuery
 /// The rest of an evaluation, from the jet.
 HWY_INLINE void complete(const PieceQuery& query, Place& place)
 {
-  const double* x = place.jet[0];
-  const double* y = place.jet[1];
-  const double* z = place.jet[2];
-  const double rx = x[0] - query.p[0];
-  const double ry = y[0] - query.p[1];
-  const double rz = z[0] - query.p[2];
-  place.r[0] = rx;
-  place.r[1] = ry;
-  place.r[2] = rz;
-  auto along = [&](int k) { return rx * x[k] + ry * y[k] + rz * z[k]; };
-  auto product = [&](int i, int k) { return x[i] * x[k] + y[i] * y[k] + z[i] * z[k]; };
-  place.squared = rx * rx + ry * ry + rz * rz;
-  place.gradient = { { along(1), along(2) } };
-  place.metric[0] = product(1, 1);
-  place.metric[1] = product(2, 2);
-  place.hessian = { { place.metric[0] + along(3), product(1, 2) + along(4),
-    place.metric[1] + along(5) } };
+  const auto& jet = place.jet;
+  for (int k = 0; k < 3; ++k)
+  {
+    place.r[k] = jet[kS][k] - query.p[k];
+  }
+  place.squared = dot(place.r, place.r);
+  place.gradient = { { dot(place.r, jet[kSu]), dot(place.r, jet[kSv]) } };
+  place.metric[0] = dot(jet[kSu], jet[kSu]);
+  place.metric[1] = dot(jet[kSv], jet[kSv]);
+  place.hessian = { { place.metric[0] + dot(place.r, jet[kSuu]),
+    dot(jet[kSu], jet[kSv]) + dot(place.r, jet[kSuv]),
+    place.metric[1] + dot(place.r, jet[kSvv]) } };
 }
 
 /// Solves the product rule for w·S (L. Piegl and W. Tiller 1997, A4.4).
 HWY_INLINE void divide_by_weight(Place& place)
 {
-  const double* w = place.jet[3];
-  const double inverse = 1.0 / w[0];
+  auto& jet = place.jet;
+  const double inverse = 1.0 / jet[kS][3];
+  const double wu = jet[kSu][3];
+  const double wv = jet[kSv][3];
   for (int k = 0; k < 3; ++k)
   {
-    double* x = place.jet[k];
-    x[0] *= inverse;
-    x[1] = (x[1] - w[1] * x[0]) * inverse;
-    x[2] = (x[2] - w[2] * x[0]) * inverse;
-    x[3] = (x[3] - 2.0 * w[1] * x[1] - w[3] * x[0]) * inverse;
-    x[4] = (x[4] - w[1] * x[2] - w[2] * x[1] - w[4] * x[0]) * inverse;
-    x[5] = (x[5] - 2.0 * w[2] * x[2] - w[5] * x[0]) * inverse;
+    const double s = jet[kS][k] * inverse;
+    const double su = (jet[kSu][k] - wu * s) * inverse;
+    const double sv = (jet[kSv][k] - wv * s) * inverse;
+    jet[kS][k] = s;
+    jet[kSu][k] = su;
+    jet[kSv][k] = sv;
+    jet[kSuu][k] = (jet[kSuu][k] - 2.0 * wu * su - jet[kSuu][3] * s) * inverse;
+    jet[kSuv][k] = (jet[kSuv][k] - wu * sv - wv * su - jet[kSuv][3] * s) * inverse;
+    jet[kSvv][k] = (jet[kSvv][k] - 2.0 * wv * sv - jet[kSvv][3] * s) * inverse;
   }
 }
 
-/// Evaluates at place.t.
+/// Weights for the columns of the net that one vector covers: two columns where it holds eight
+/// numbers, otherwise one or a part of it.
+template <class D>
+HWY_INLINE hn::Vec<D> of_columns(D tag, const double* weights)
+{
+#if HWY_MAX_BYTES >= 64
+  return hn::ConcatLowerLower(tag, hn::Set(tag, weights[1]), hn::Set(tag, weights[0]));
+#else
+  return hn::Set(tag, weights[0]);
+#endif
+}
+
+/// Stores an entry of the jet, or one part of its coordinates: the sum over a vector's columns.
+template <class D>
+HWY_INLINE void store_entry(D tag, hn::Vec<D> value, double* entry)
+{
+#if HWY_MAX_BYTES >= 64
+  const hn::Half<D> half;
+  hn::StoreU(hn::Add(hn::LowerHalf(half, value), hn::UpperHalf(half, value)), half, entry);
+#else
+  hn::StoreU(value, tag, entry);
+#endif
+}
+
+/// Evaluates at place.t: rows of the net are summed first, then its columns.
 template <int P, int Q, bool Rational>
 HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
 {
-  constexpr int kRows = P >= 0 ? P + 1 : 32;
-  constexpr int kColumns = Q >= 0 ? Q + 1 : 32;
+  constexpr int kMostRows = P >= 0 ? P + 1 : kMostDegree + 1;
+  constexpr int kMostColumns = (Q >= 0 ? Q + 1 : kMostDegree + 1) + 1;
   const Piece& piece = *query.piece;
   const int p = P >= 0 ? P : piece.shape->degree[0];
   const int q = Q >= 0 ? Q : piece.shape->degree[1];
-  HWY_ALIGN double row[kRows][kJet];
-  HWY_ALIGN double column[kColumns][kJet];
-  net_weights<P>(p, place.t[0], false, row);
-  net_weights<Q>(q, place.t[1], true, column);
-  const hn::CappedTag<double, kJet> tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  for (int h = 0; h < kJet; h += lanes)
+  double row[3][kMostRows];
+  double column[3][kMostColumns];
+  bernstein(p, place.t[0], row[0], row[1], row[2]);
+  bernstein(q, place.t[1], column[0], column[1], column[2]);
+  column[0][q + 1] = column[1][q + 1] = column[2][q + 1] = 0.0; // for vectors of two columns
+  const hn::CappedTag<double, 8> tag;
+  constexpr int kLanes = hn::MaxLanes(tag);
+  constexpr int kColumns = kLanes == 8 ? 2 : 1; // that one vector covers
+  for (int part = 0; part < 4; part += kLanes)
   {
-    auto x = hn::Zero(tag);
-    auto y = x;
-    auto z = x;
-    auto w = x;
-    for (int j = 0; j <= q; ++j)
+    auto s = hn::Zero(tag);
+    auto su = s;
+    auto sv = s;
+    auto suu = s;
+    auto suv = s;
+    auto svv = s;
+    for (int j = 0; j <= q; j += kColumns)
     {
-      auto cx = hn::Zero(tag);
-      auto cy = cx;
-      auto cz = cx;
-      auto cw = cx;
+      auto c = hn::Zero(tag);
+      auto cu = c;
+      auto cuu = c;
       for (int i = 0; i <= p; ++i)
       {
-        const auto weight = hn::LoadU(tag, row[i] + h);
-        const double* control = piece.net + 4 * (i * (q + 1) + j);
-        cx = hn::MulAdd(weight, hn::Set(tag, control[0]), cx);
-        cy = hn::MulAdd(weight, hn::Set(tag, control[1]), cy);
-        cz = hn::MulAdd(weight, hn::Set(tag, control[2]), cz);
-        if (Rational)
-        {
-          cw = hn::MulAdd(weight, hn::Set(tag, control[3]), cw);
-        }
+        const auto control = hn::LoadU(tag, piece.net + 4 * (i * (q + 1) + j) + part);
+        c = hn::MulAdd(hn::Set(tag, row[0][i]), control, c);
+        cu = hn::MulAdd(hn::Set(tag, row[1][i]), control, cu);
+        cuu = hn::MulAdd(hn::Set(tag, row[2][i]), control, cuu);
       }
-      const auto weight = hn::LoadU(tag, column[j] + h);
-      x = hn::MulAdd(weight, cx, x);
-      y = hn::MulAdd(weight, cy, y);
-      z = hn::MulAdd(weight, cz, z);
-      if (Rational)
-      {
-        w = hn::MulAdd(weight, cw, w);
-      }
+      const auto b = of_columns(tag, column[0] + j);
+      const auto bv = of_columns(tag, column[1] + j);
+      const auto bvv = of_columns(tag, column[2] + j);
+      s = hn::MulAdd(b, c, s);
+      su = hn::MulAdd(b, cu, su);
+      suu = hn::MulAdd(b, cuu, suu);
+      sv = hn::MulAdd(bv, c, sv);
+      suv = hn::MulAdd(bv, cu, suv);
+      svv = hn::MulAdd(bvv, c, svv);
     }
-    hn::StoreU(x, tag, place.jet[0] + h);
-    hn::StoreU(y, tag, place.jet[1] + h);
-    hn::StoreU(z, tag, place.jet[2] + h);
-    if (Rational)
-    {
-      hn::StoreU(w, tag, place.jet[3] + h);
-    }
+    store_entry(tag, s, place.jet[kS] + part);
+    store_entry(tag, su, place.jet[kSu] + part);
+    store_entry(tag, sv, place.jet[kSv] + part);
+    store_entry(tag, suu, place.jet[kSuu] + part);
+    store_entry(tag, suv, place.jet[kSuv] + part);
+    store_entry(tag, svv, place.jet[kSvv] + part);
   }
   if (Rational)
   {
@@ -446,6 +420,25 @@ HWY_INLINE Pair clamped_target(
   return target;
 }
 
+/// Where the steepest descent leads in units in which both derivatives have length 1, for as far as
+/// the curvature along each direction lets it: nearer after a short part of the way even where the
+/// range cuts it off.
+HWY_INLINE Pair steepest_target(
+  const Place& place, const Range& range, const std::array<bool, 2>& free)
+{
+  Pair target = place.t;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double curvature = std::max(place.metric[i], std::abs(place.hessian[2 * i]));
+    if (free[i] && curvature > 0.0)
+    {
+      const double t = place.t[i] - place.gradient[i] / curvature;
+      target[i] = std::min(std::max(t, range.lower[i]), range.upper[i]);
+    }
+  }
+  return target;
+}
+
 HWY_INLINE double slope(const Place& place, const std::array<bool, 2>& free)
 {
   return std::max(free[0] ? std::abs(place.gradient[0]) : 0.0,
@@ -457,14 +450,14 @@ HWY_INLINE void expand(const PieceQuery& query, const Pair& target, Place& place
 {
   const double du = target[0] - place.t[0];
   const double dv = target[1] - place.t[1];
+  auto& jet = place.jet;
   for (int k = 0; k < 3; ++k)
   {
-    double* x = place.jet[k];
-    const double by_u = x[3] * du + x[4] * dv;
-    const double by_v = x[4] * du + x[5] * dv;
-    x[0] += x[1] * du + x[2] * dv + 0.5 * (by_u * du + by_v * dv);
-    x[1] += by_u;
-    x[2] += by_v;
+    const double by_u = jet[kSuu][k] * du + jet[kSuv][k] * dv;
+    const double by_v = jet[kSuv][k] * du + jet[kSvv][k] * dv;
+    jet[kS][k] += jet[kSu][k] * du + jet[kSv][k] * dv + 0.5 * (by_u * du + by_v * dv);
+    jet[kSu][k] += by_u;
+    jet[kSv][k] += by_v;
   }
   place.t = target;
   complete(query, place);
@@ -550,6 +543,12 @@ HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& 
       break;
     }
     Pair target = clamped_target(*place, range, free, newton_step(*place, free));
+    if (!(place->gradient[0] * (target[0] - place->t[0]) +
+          place->gradient[1] * (target[1] - place->t[1]) <
+          0.0))
+    {
+      target = steepest_target(*place, range, free); // what is left of the step leads away
+    }
     double longest = std::max(std::abs(target[0] - place->t[0]), std::abs(target[1] - place->t[1]));
     // Steps that shrink slowly have more of them to come: a minimum that is flat.
     const bool last = longest <= kShortStep && longest <= kFastDecrease * before;
@@ -616,21 +615,46 @@ HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& 
   return count;
 }
 
-int descend(const PieceQuery& query, const Range& range, Place& place)
+/// Calls a function with the degrees of a piece, as far as they have code of their own, and with
+/// whether it is rational.
+template <class Function>
+HWY_INLINE auto with_shape(const PieceShape& shape, const Function& function)
 {
-  const PieceShape& shape = *query.piece->shape;
+  using std::false_type;
+  using std::true_type;
   const int p = shape.degree[0];
   const int q = shape.degree[1];
+  using Any = std::integral_constant<int, -1>;
+  using One = std::integral_constant<int, 1>;
+  using Two = std::integral_constant<int, 2>;
+  using Three = std::integral_constant<int, 3>;
+  using None = std::integral_constant<int, 0>;
   if (!shape.rational)
   {
-    return p == 3 && q == 3 ? descend_on<3, 3, false>(query, range, place)
-      : p == 0 && q == 3    ? descend_on<0, 3, false>(query, range, place)
-      : p == 0              ? descend_on<0, -1, false>(query, range, place)
-                            : descend_on<-1, -1, false>(query, range, place);
+    return p == 3 && q == 3 ? function(Three(), Three(), false_type())
+      : p == 0 && q == 3    ? function(None(), Three(), false_type())
+      : p == 0              ? function(None(), Any(), false_type())
+      : p == 1 && q == 1    ? function(One(), One(), false_type())
+      : p == 2 && q == 2    ? function(Two(), Two(), false_type())
+                            : function(Any(), Any(), false_type());
   }
-  return p == 2 && q == 2 ? descend_on<2, 2, true>(query, range, place)
-    : p == 0              ? descend_on<0, -1, true>(query, range, place)
-                          : descend_on<-1, -1, true>(query, range, place);
+  return p == 2 && q == 2 ? function(Two(), Two(), true_type())
+    : p == 2 && q == 1    ? function(Two(), One(), true_type())
+    : p == 0              ? function(None(), Any(), true_type())
+                          : function(Any(), Any(), true_type());
+}
+
+/// Evaluates at place.t.
+void evaluate_at(const PieceQuery& query, Place& place)
+{
+  with_shape(*query.piece->shape,
+    [&](auto p, auto q, auto rational) { evaluate<p(), q(), rational()>(query, place); });
+}
+
+int descend(const PieceQuery& query, const Range& range, Place& place)
+{
+  return with_shape(*query.piece->shape, [&](auto p, auto q, auto rational)
+    { return descend_on<p(), q(), rational()>(query, range, place); });
 }
 
 } // namespace

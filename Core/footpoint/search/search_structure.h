@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/search/box_tree.h"
+#include "footpoint/search/distance_forms.h"
+
+#include <vector>
+
+namespace footpoint
+{
+
+/// The plane that touches a piece in its middle, for a first guess of a foot's parameters:
+/// t = ½ + rows · (P − point). A curve has its tangent in the second row, zero in the first.
+struct TangentPlane
+{
+  double point[3]; ///< from the piece's origin
+  double rows[2][3];
+};
+
+/// What CertifiedSearch builds once: the pieces, a tree over their boxes, and a plane for each.
+struct SearchStructure
+{
+  SearchStructure() = default;
+  explicit SearchStructure(DistanceForms pieces);
+
+  DistanceForms forms;
+  BoxTree tree;
+  std::vector<TangentPlane> planes;
+};
+
+} // namespace footpoint
