@@ -60,32 +60,54 @@ std::vector<BezierPiece<1>> extract_bezier(const Curve& curve)
 
 std::vector<BezierPiece<2>> extract_bezier(const Surface& surface)
 {
-  const Homogeneous net = homogeneous(surface.local_control_points(), surface.weights());
-  const int nu = surface.knots(0).number_of_control_points();
-  const int p = surface.knots(0).degree();
-  const int q = surface.knots(1).degree();
-  const std::vector<BezierSpan> all_u = bezier_spans(surface.knots(0));
+  const SurfacePieces source(surface);
   std::vector<BezierPiece<2>> pieces;
-  Homogeneous rows(4, (p + 1) * (q + 1)); // the acting part of the net, Bézier along u
-  for (const BezierSpan& v : bezier_spans(surface.knots(1)))
+  pieces.reserve(source.size());
+  source.for_each([&pieces](const BezierPiece<2>& piece) { pieces.push_back(piece); });
+  return pieces;
+}
+
+SurfacePieces::SurfacePieces(const Surface& surface)
+  : Degree{ { surface.knots(0).degree(), surface.knots(1).degree() } }
+  , Spans{ { bezier_spans(surface.knots(0)), bezier_spans(surface.knots(1)) } }
+  , Length(surface.knots(0).number_of_control_points())
+  , Net(homogeneous(surface.local_control_points(), surface.weights()))
+{
+}
+
+void SurfacePieces::extract_row(const BezierSpan& v, Homogeneous& row) const
+{
+  const int lines = this->Degree[1] + 1;
+  row.resize(4, this->Length * lines);
+  // Column j of these views is line j of the net and of the row.
+  const Eigen::Map<const Eigen::MatrixXd> acting(
+    this->Net.col(v.first * this->Length).data(), 4 * this->Length, lines);
+  Eigen::Map<Eigen::MatrixXd>(row.data(), 4 * this->Length, lines).noalias() = acting * v.matrix;
+}
+
+void SurfacePieces::extract_piece(
+  const BezierSpan& u, const BezierSpan& v, const Homogeneous& row, BezierPiece<2>& piece) const
+{
+  const int along_u = this->Degree[0] + 1;
+  const int along_v = this->Degree[1] + 1;
+  piece.degree = this->Degree;
+  piece.lower = { u.lower, v.lower };
+  piece.upper = { u.upper, v.upper };
+  piece.control.resize(4, along_u * along_v);
+  for (int j = 0; j < along_v; ++j)
   {
-    for (const BezierSpan& u : all_u)
+    const auto acting = row.middleCols(j * this->Length + u.first, along_u);
+    for (int i = 0; i < along_u; ++i)
     {
-      for (int j = 0; j <= q; ++j)
+      // Column by column: so small a matrix product is not worth its preparation.
+      Eigen::Vector4d point = u.matrix(0, i) * acting.col(0);
+      for (int k = 1; k < along_u; ++k)
       {
-        rows.middleCols(j * (p + 1), p + 1).noalias() =
-          net.middleCols((v.first + j) * nu + u.first, p + 1) * u.matrix;
+        point += u.matrix(k, i) * acting.col(k);
       }
-      // Column j of this view is row j of the piece: 4·(p + 1) numbers.
-      const Eigen::Map<const Eigen::MatrixXd> stacked(rows.data(), 4 * (p + 1), q + 1);
-      BezierPiece<2> piece{ { { p, q } }, { u.lower, v.lower }, { u.upper, v.upper },
-        Homogeneous(4, rows.cols()) };
-      Eigen::Map<Eigen::MatrixXd>(piece.control.data(), 4 * (p + 1), q + 1).noalias() =
-        stacked * v.matrix;
-      pieces.push_back(std::move(piece));
+      piece.control.col(j * along_u + i) = point;
     }
   }
-  return pieces;
 }
 
 template <int N>

@@ -40,6 +40,35 @@ std::vector<BezierSpan> bezier_spans(const KnotVector& knots);
 std::vector<BezierPiece<1>> extract_bezier(const Curve& curve);
 std::vector<BezierPiece<2>> extract_bezier(const Surface& surface);
 
+/// The same pieces of a surface one at a time, in memory of one row: for nets of many spans.
+///
+/// The operators of all spans are made once. For a span of the second direction its operator is
+/// applied to the whole net first, which all pieces of that row then share.
+class SurfacePieces
+{
+public:
+  explicit SurfacePieces(const Surface& surface);
+
+  std::size_t size() const { return this->Spans[0].size() * this->Spans[1].size(); }
+
+  /// Calls visit(const BezierPiece<2>&) for each piece; the next one overwrites it.
+  template <class Visit>
+  void for_each(const Visit& visit) const;
+
+private:
+  using Homogeneous = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+
+  /// The net of a row of pieces: Bézier along the second direction, as it was along the first.
+  void extract_row(const BezierSpan& v, Homogeneous& row) const;
+  void extract_piece(
+    const BezierSpan& u, const BezierSpan& v, const Homogeneous& row, BezierPiece<2>& piece) const;
+
+  std::array<int, 2> Degree;
+  std::array<std::vector<BezierSpan>, 2> Spans;
+  Eigen::Index Length; ///< control points of a line of the net along the first direction
+  Homogeneous Net;
+};
+
 /// Cuts a piece in two at the middle of a direction (de Casteljau 1959).
 template <int N>
 std::array<BezierPiece<N>, 2> halve(const BezierPiece<N>& piece, int direction);
@@ -47,5 +76,21 @@ std::array<BezierPiece<N>, 2> halve(const BezierPiece<N>& piece, int direction);
 /// Corners of the bounding box of the control points; it holds the piece (convex-hull property).
 template <int N>
 std::array<Vector3, 2> bounding_box(const BezierPiece<N>& piece);
+
+template <class Visit>
+void SurfacePieces::for_each(const Visit& visit) const
+{
+  Homogeneous row;
+  BezierPiece<2> piece;
+  for (const BezierSpan& v : this->Spans[1])
+  {
+    this->extract_row(v, row);
+    for (const BezierSpan& u : this->Spans[0])
+    {
+      this->extract_piece(u, v, row, piece);
+      visit(static_cast<const BezierPiece<2>&>(piece));
+    }
+  }
+}
 
 } // namespace footpoint

@@ -2,6 +2,7 @@
 #include "footpoint/splines/piecewise_polynomial.h"
 
 #include "footpoint/splines/bezier.h"
+#include "footpoint/splines/binomials.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,16 +21,6 @@ constexpr double kSameStart = 1e-9;
 /// Derivatives at a joint agree when what they differ by moves the function less than this part of
 /// its values: some rounding errors of the differences.
 constexpr double kSameDerivative = 1e-13;
-
-double binomial(int n, int k)
-{
-  double result = 1.0;
-  for (int i = 1; i <= k; ++i)
-  {
-    result = result * (n - k + i) / i;
-  }
-  return result;
-}
 
 /// Blossom of a Bernstein polynomial on [0, 1]: de Casteljau with another argument in each step.
 Eigen::VectorXd blossom(Eigen::MatrixXd control, const std::vector<double>& arguments)
@@ -265,6 +256,9 @@ PiecewisePolynomial PiecewisePolynomial::times(const PiecewisePolynomial& factor
   const PiecewisePolynomial b = factor.refined(this->Breakpoints);
   const int p = a.degree();
   const int q = b.degree();
+  const std::vector<double> of_a = binomials(p);
+  const std::vector<double> of_b = binomials(q);
+  const std::vector<double> of_product = binomials(p + q);
   for (std::size_t k = 0; k < a.Pieces.size(); ++k)
   {
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero(a.Pieces[k].rows(), p + q + 1);
@@ -272,7 +266,7 @@ PiecewisePolynomial PiecewisePolynomial::times(const PiecewisePolynomial& factor
     {
       for (int j = 0; j <= q; ++j)
       {
-        const double weight = binomial(p, i) * binomial(q, j) / binomial(p + q, i + j);
+        const double weight = of_a[i] * of_b[j] / of_product[i + j];
         product.col(i + j) += weight * b.Pieces[k](0, j) * a.Pieces[k].col(i);
       }
     }
