@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/search/distance_forms.h"
 
+#include "footpoint/search/form_products.h"
+#include "footpoint/search/piece_cutting.h"
+#include "footpoint/splines/binomials.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,17 +17,6 @@ namespace
 int padded(int count)
 {
   return (count + 7) / 8 * 8;
-}
-
-/// Binomial coefficients of one degree.
-std::vector<double> binomials(int n)
-{
-  std::vector<double> row{ 1.0 };
-  for (int k = 1; k <= n; ++k)
-  {
-    row.push_back(row.back() * (n - k + 1) / k);
-  }
-  return row;
 }
 
 /// Weights of the coefficients of a polynomial of degree n in those of its half.
@@ -49,145 +42,41 @@ std::vector<double> halving_weights(int n, int end, int stride)
   return weights;
 }
 
-/// A piece is cut until its weights differ by no more than this ratio, and its control net is no
-/// farther from straight than this part of its extent; the latter only while there are few pieces,
-/// since cells that are small beside the distances in question need no better shape.
-constexpr double kWeightRatio = 3.0;
-constexpr double kStraightness = 0.1;
-constexpr int kWeightCuts = 50;
-constexpr std::size_t kWeightPieces = 4; ///< that many times few_pieces more, at most
-
-/// How far a net is from straight along one direction: its largest second difference over its
-/// largest extent; and the ratio of neighbouring weights.
+/// Where positions of a piece are measured from: a point at which a derivative vanishes (a
+/// collapsed side; a curve's repeated end), so that it comes out with all digits near there, else
+/// the middle. \param points of the control net; a curve's are one line
 template <int N>
-double bend(const BezierPiece<N>& piece, int direction)
+Vector3 origin_of(
+  const std::array<int, N>& degree, const Points& points, const Vector3& middle, double size)
 {
-  const Eigen::Index stride = direction == 0 ? 1 : piece.degree[0] + 1;
-  const int degree = piece.degree[direction];
-  double second = 0.0;
-  for (Eigen::Index k = 0; k < piece.control.cols(); ++k)
-  {
-    if ((k / stride) % (degree + 1) + 2 <= degree)
-    {
-      const Vector3 a = piece.control.col(k).hnormalized();
-      const Vector3 b = piece.control.col(k + stride).hnormalized();
-      const Vector3 c = piece.control.col(k + 2 * stride).hnormalized();
-      second = std::max(second, (a - 2.0 * b + c).norm() * degree * (degree - 1));
-    }
-  }
-  const std::array<Vector3, 2> corners = bounding_box<N>(piece);
-  const double extent = (corners[1] - corners[0]).norm();
-  return extent > 0.0 ? second / (8.0 * extent) : 0.0;
-}
-
-/// Largest ratio of weights along lines of one direction.
-template <int N>
-double weight_ratio(const BezierPiece<N>& piece, int direction)
-{
-  const Eigen::Index stride = direction == 0 ? 1 : piece.degree[0] + 1;
-  const int degree = piece.degree[direction];
-  double ratio = 1.0;
-  for (Eigen::Index k = 0; k < piece.control.cols(); ++k)
-  {
-    if ((k / stride) % (degree + 1) != 0)
-    {
-      continue;
-    }
-    double least = piece.control(3, k);
-    double greatest = least;
-    for (int i = 1; i <= degree; ++i)
-    {
-      least = std::min(least, piece.control(3, k + i * stride));
-      greatest = std::max(greatest, piece.control(3, k + i * stride));
-    }
-    ratio = std::max(ratio, greatest / least);
-  }
-  return ratio;
-}
-
-template <int N, typename Measure>
-std::vector<BezierPiece<N>> cut_while(
-  std::vector<BezierPiece<N>> pieces, double allowed, std::size_t limit, int rounds, Measure measure)
-{
-  for (int round = 0; round < rounds; ++round)
-  {
-    std::vector<BezierPiece<N>> next;
-    bool cut = false;
-    std::size_t count = pieces.size();
-    for (BezierPiece<N>& piece : pieces)
-    {
-      int worst = 0;
-      double value = measure(piece, 0);
-      if (N == 2 && measure(piece, N - 1) > value)
-      {
-        worst = N - 1;
-        value = measure(piece, worst);
-      }
-      if (value <= allowed || count >= limit)
-      {
-        next.push_back(std::move(piece));
-        continue;
-      }
-      cut = true;
-      ++count;
-      for (BezierPiece<N>& half : halve<N>(piece, worst))
-      {
-        next.push_back(std::move(half));
-      }
-    }
-    pieces = std::move(next);
-    if (!cut)
-    {
-      break;
-    }
-  }
-  return pieces;
-}
-
-template <int N>
-std::vector<BezierPiece<N>> refine(std::vector<BezierPiece<N>> pieces, std::size_t few_pieces)
-{
-  const std::size_t limit = pieces.size() + kWeightPieces * few_pieces;
-  pieces = cut_while<N>(std::move(pieces), kWeightRatio, limit, kWeightCuts,
-    [](const BezierPiece<N>& piece, int i) { return weight_ratio<N>(piece, i); });
-  return cut_while<N>(std::move(pieces), kStraightness, few_pieces, 8,
-    [](const BezierPiece<N>& piece, int i) { return bend<N>(piece, i); });
-}
-
-/// Where positions of a piece are measured from: a point at which a derivative vanishes (a collapsed
-/// side; a curve's repeated end), so that it comes out with all digits near there, else the middle.
-template <int N>
-Vector3 origin_of(const BezierPiece<N>& piece, double size)
-{
-  auto point = [&](Eigen::Index k) { return Vector3(piece.control.col(k).hnormalized()); };
-  const std::array<Vector3, 2> corners = bounding_box<N>(piece);
-  const Eigen::Index along_u = piece.degree[0] + 1;
-  const Eigen::Index along_v = piece.control.cols() / along_u;
   auto collapsed = [&](Eigen::Index first, Eigen::Index step, Eigen::Index count)
   {
     bool result = true;
     for (Eigen::Index k = 1; k < count; ++k)
     {
-      result = result && (point(first + k * step) - point(first)).norm() <= kClosureTolerance * size;
+      result = result &&
+        (points.col(first + k * step) - points.col(first)).norm() <= kClosureTolerance * size;
     }
     return result;
   };
-  const Eigen::Index last = piece.control.cols() - 1;
+  const Eigen::Index along_u = degree[0] + 1;
+  const Eigen::Index along_v = points.cols() / along_u;
+  const Eigen::Index last = points.cols() - 1;
   if (N == 1)
   {
     const bool start = along_u > 2 && collapsed(0, 1, 2);
     const bool end = along_u > 2 && collapsed(last - 1, 1, 2);
-    return start ? point(0) : (end ? point(last) : Vector3(0.5 * (corners[0] + corners[1])));
+    return start ? Vector3(points.col(0)) : (end ? Vector3(points.col(last)) : middle);
   }
   if (collapsed(0, 1, along_u) || collapsed(0, along_u, along_v))
   {
-    return point(0);
+    return points.col(0);
   }
   if (collapsed(last - along_u + 1, 1, along_u) || collapsed(along_u - 1, along_u, along_v))
   {
-    return point(last);
+    return points.col(last);
   }
-  return 0.5 * (corners[0] + corners[1]);
+  return middle;
 }
 
 PieceSide side_of(const Direction& direction, double at, const std::array<bool, 2>& special)
@@ -199,72 +88,72 @@ PieceSide side_of(const Direction& direction, double at, const std::array<bool, 
     const bool open = !direction.closed && !direction.collapsed[end] && !special[end];
     return open ? PieceSide::Boundary : PieceSide::Special;
   }
-  const bool is_break = std::any_of(direction.breaks.begin(), direction.breaks.end(),
-    [at](const Break& line) { return line.at == at; });
+  const auto line = std::lower_bound(direction.breaks.begin(), direction.breaks.end(), at,
+    [](const Break& one, double where) { return one.at < where; });
+  const bool is_break = line != direction.breaks.end() && line->at == at;
   return is_break ? PieceSide::Special : PieceSide::Smooth;
 }
 
-/// The forms of a net whose rows run along the first direction.
-void fill_forms(const PieceShape& shape, const double* net, double* forms)
+/// Pieces that were cut; SurfacePieces gives those that are not.
+template <int N>
+struct KeptPieces
 {
-  const int p = shape.degree[0];
-  const int q = shape.degree[1];
-  std::fill(forms, forms + shape.number_of_forms * shape.form_size, 0.0);
-  const std::vector<double> cp = binomials(p);
-  const std::vector<double> cq = binomials(q);
-  std::vector<double> scaled(4 * (p + 1) * (q + 1)); // x, y, z, w of all columns of a row
-  for (int i = 0; i <= p; ++i)
+  std::vector<BezierPiece<N>> all;
+
+  template <class Visit>
+  void for_each(const Visit& visit) const
   {
-    for (int j = 0; j <= q; ++j)
+    std::for_each(this->all.begin(), this->all.end(), visit);
+  }
+};
+
+/// Writes the control net as rows along the second direction, relative to the piece's origin.
+/// \param points of the control net \return the largest distance of one from the origin
+template <int N>
+double fill_net(const PieceShape& shape, const BezierPiece<N>& source, const Points& points,
+  const Vector3& origin, double* net)
+{
+  // A common factor of the weights changes nothing: a power of two, so that the largest is near 1.
+  const double scale =
+    shape.rational ? std::ldexp(1.0, -std::ilogb(source.control.row(3).maxCoeff())) : 1.0;
+  double squared_reach = 0.0;
+  double* target = net;
+  for (int i = 0; i <= shape.degree[0]; ++i)
+  {
+    for (int j = 0; j <= shape.degree[1]; ++j, target += 4)
     {
-      for (int k = 0; k < 4; ++k)
-      {
-        scaled[(i * 4 + k) * (q + 1) + j] = cp[i] * cq[j] * net[(i * (q + 1) + j) * 4 + k];
-      }
+      const int column = N == 2 ? j * (shape.degree[0] + 1) + i : j;
+      const double w = shape.rational ? scale * source.control(3, column) : 1.0;
+      const Vector3 at = points.col(column) - origin;
+      squared_reach = std::max(squared_reach, at.squaredNorm());
+      target[0] = w * at(0);
+      target[1] = w * at(1);
+      target[2] = w * at(2);
+      target[3] = w;
     }
   }
-  for (int i = 0; i <= p; ++i)
+  std::fill(target, net + shape.net_size, 0.0);
+  return std::sqrt(squared_reach);
+}
+
+/// Where a piece lies in its patch.
+template <int N>
+void fill_place(const ParametricGeometry<N>& geometry,
+  const std::array<std::array<bool, 2>, 2>& special, const BezierPiece<N>& source, Piece& piece)
+{
+  for (int i = 0; i < 2; ++i)
   {
-    for (int k = 0; k <= p; ++k)
+    const int from = N == 2 ? i : 0;
+    const bool used = N == 2 || i == 1;
+    piece.lower[i] = used ? source.lower(from) : 0.0;
+    piece.upper[i] = used ? source.upper(from) : 0.0;
+    piece.width[i] = piece.upper[i] - piece.lower[i];
+    const Direction& direction = geometry.direction(from);
+    for (int end = 0; end < 2; ++end)
     {
-      double* row = forms + (i + k) * shape.stride;
-      const double* a = &scaled[i * 4 * (q + 1)];
-      const double* b = &scaled[k * 4 * (q + 1)];
-      for (int j = 0; j <= q; ++j)
-      {
-        const double x = a[j];
-        const double y = a[(q + 1) + j];
-        const double z = a[2 * (q + 1) + j];
-        const double w = a[3 * (q + 1) + j];
-        for (int l = 0; l <= q; ++l)
-        {
-          const double bx = b[l];
-          const double by = b[(q + 1) + l];
-          const double bz = b[2 * (q + 1) + l];
-          row[j + l] += x * bx + y * by + z * bz;
-          row[shape.form_size + j + l] += w * bx;
-          row[2 * shape.form_size + j + l] += w * by;
-          row[3 * shape.form_size + j + l] += w * bz;
-          if (shape.rational)
-          {
-            row[4 * shape.form_size + j + l] += w * b[3 * (q + 1) + l];
-          }
-        }
-      }
-    }
-  }
-  const std::vector<double> cp2 = binomials(2 * p);
-  const std::vector<double> cq2 = binomials(2 * q);
-  for (int f = 0; f < shape.number_of_forms; ++f)
-  {
-    for (int i = 0; i < shape.rows; ++i)
-    {
-      double* row = forms + f * shape.form_size + i * shape.stride;
-      for (int j = 0; j < shape.columns; ++j)
-      {
-        row[j] /= cp2[i] * cq2[j];
-      }
-      std::fill(row + shape.columns, row + shape.stride, row[shape.columns - 1]);
+      piece.sides[i][end] = used
+        ? side_of(direction, end == 0 ? piece.lower[i] : piece.upper[i], special[from])
+        : PieceSide::Smooth;
     }
   }
 }
@@ -302,98 +191,88 @@ const PieceShape* DistanceForms::shape(int p, int q, bool rational)
   return this->Shapes.back().get();
 }
 
-template <int N>
-void DistanceForms::append(std::int32_t patch, std::vector<BezierPiece<N>> pieces,
-  const ParametricGeometry<N>& geometry, bool rational, const Vector3& offset,
+template <int N, class Source>
+void DistanceForms::append(std::int32_t patch, const Source& source, std::size_t count,
+  const ParametricGeometry<N>& geometry, const PieceShape* shape, const Vector3& offset,
   const std::array<std::array<bool, 2>, 2>& special)
 {
-  if (pieces.empty())
-  {
-    return;
-  }
-  const int p = N == 2 ? pieces.front().degree[0] : 0;
-  const int q = pieces.front().degree[N - 1];
-  const PieceShape* shape = this->shape(p, q, rational);
   const std::size_t forms = static_cast<std::size_t>(shape->number_of_forms) * shape->form_size;
-  const std::size_t count = shape->net_size + forms;
-  this->Numbers.emplace_back(count * pieces.size() + 8); // vector loads may read beyond the end
+  const std::size_t numbers_of_piece = shape->net_size + forms;
+  this->Numbers.emplace_back(numbers_of_piece * count + 8); // loads may read beyond the end
   double* numbers = this->Numbers.back().data();
-  std::fill(numbers + count * pieces.size(), numbers + this->Numbers.back().size(), 0.0);
-  for (const BezierPiece<N>& source : pieces)
+  std::fill(numbers + numbers_of_piece * count, numbers + this->Numbers.back().size(), 0.0);
+  const std::size_t needed = this->Pieces.size() + count;
+  if (needed > this->Pieces.capacity())
   {
-    const std::array<Vector3, 2> corners = bounding_box<N>(source);
-    const Vector3 local_origin = origin_of<N>(source, geometry.size());
-    const Vector3 origin = offset + local_origin;
-    // A common factor of the weights changes nothing: a power of two, so that the largest is near 1.
-    const double scale = std::ldexp(1.0, -std::ilogb(source.control.row(3).maxCoeff()));
-    Piece piece;
-    piece.shape = shape;
-    piece.patch = patch;
-    double* net = numbers;
-    double* form = numbers + shape->net_size;
-    numbers += count;
-    piece.net = net;
-    piece.forms = form;
-    std::fill(net, net + shape->net_size, 0.0);
-    double reach = 0.0;
-    for (int i = 0; i <= p; ++i)
-    {
-      for (int j = 0; j <= q; ++j)
-      {
-        const auto control = source.control.col(N == 2 ? j * (p + 1) + i : j);
-        const double w = rational ? scale * control(3) : 1.0;
-        const Vector3 at = control.template head<3>() / control(3) - local_origin;
-        reach = std::max(reach, at.norm());
-        double* target = net + (i * (q + 1) + j) * 4;
-        target[0] = w * at(0);
-        target[1] = w * at(1);
-        target[2] = w * at(2);
-        target[3] = w;
-      }
-    }
-    fill_forms(*shape, net, form);
-    piece.reach = reach;
-    piece.least_weight = 1.0;
-    piece.greatest_weight = 1.0;
-    if (rational)
-    {
-      const double* first = form + 4 * shape->form_size;
-      piece.least_weight = *std::min_element(first, first + shape->form_size);
-      piece.greatest_weight = *std::max_element(first, first + shape->form_size);
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      piece.origin = { { origin(0), origin(1), origin(2) } };
-      const int from = N == 2 ? i : 0;
-      const bool used = N == 2 || i == 1;
-      piece.lower[i] = used ? source.lower(from) : 0.0;
-      piece.upper[i] = used ? source.upper(from) : 0.0;
-      piece.width[i] = piece.upper[i] - piece.lower[i];
-      for (int end = 0; end < 2; ++end)
-      {
-        piece.sides[i][end] = used
-          ? side_of(geometry.direction(from), end == 0 ? piece.lower[i] : piece.upper[i],
-              special[from])
-          : PieceSide::Smooth;
-      }
-    }
-    this->Pieces.push_back(piece);
-    this->Boxes.push_back({ { corners[0] + offset, corners[1] + offset } });
+    this->Pieces.reserve(std::max(needed, 2 * this->Pieces.size()));
+    this->Boxes.reserve(std::max(needed, 2 * this->Boxes.size()));
   }
+  FormProducts products(*shape);
+  Points points;
+  source.for_each(
+    [&](const BezierPiece<N>& bezier)
+    {
+      points =
+        bezier.control.template topRows<3>().array().rowwise() / bezier.control.row(3).array();
+      const Vector3 lower = points.rowwise().minCoeff();
+      const Vector3 upper = points.rowwise().maxCoeff();
+      const Vector3 origin =
+        origin_of<N>(bezier.degree, points, 0.5 * (lower + upper), geometry.size());
+      double* net = numbers;
+      double* form = numbers + shape->net_size;
+      numbers += numbers_of_piece;
+      Piece piece;
+      piece.shape = shape;
+      piece.patch = patch;
+      piece.net = net;
+      piece.forms = form;
+      piece.reach = fill_net<N>(*shape, bezier, points, origin, net);
+      products.fill(net, form);
+      piece.least_weight = 1.0;
+      piece.greatest_weight = 1.0;
+      if (shape->rational)
+      {
+        const double* first = form + 4 * shape->form_size;
+        piece.least_weight = *std::min_element(first, first + shape->form_size);
+        piece.greatest_weight = *std::max_element(first, first + shape->form_size);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        piece.origin[i] = offset(i) + origin(i);
+      }
+      fill_place<N>(geometry, special, bezier, piece);
+      this->Pieces.push_back(piece);
+      this->Boxes.push_back({ { lower + offset, upper + offset } });
+    });
 }
 
 void DistanceForms::add(std::int32_t patch, const Curve& curve, const Vector3& offset,
   const std::array<std::array<bool, 2>, 2>& special)
 {
-  this->append<1>(patch, refine<1>(extract_bezier(curve), this->FewPieces), curve, curve.rational(), offset,
-    special);
+  const KeptPieces<1> pieces{ cut_pieces<1>(extract_bezier(curve), this->FewPieces) };
+  this->append<1>(patch, pieces, pieces.all.size(), curve,
+    this->shape(0, curve.knots().degree(), curve.rational()), offset, special);
 }
 
 void DistanceForms::add(std::int32_t patch, const Surface& surface, const Vector3& offset,
   const std::array<std::array<bool, 2>, 2>& special)
 {
-  this->append<2>(patch, refine<2>(extract_bezier(surface), this->FewPieces), surface,
-    surface.rational(), offset, special);
+  const PieceShape* shape =
+    this->shape(surface.knots(0).degree(), surface.knots(1).degree(), surface.rational());
+  const SurfacePieces extracted(surface);
+  bool cut = extracted.size() < this->FewPieces;
+  if (!cut && surface.rational())
+  {
+    extracted.for_each(
+      [&cut](const BezierPiece<2>& piece) { cut = cut || has_uneven_weights<2>(piece); });
+  }
+  if (!cut)
+  {
+    this->append<2>(patch, extracted, extracted.size(), surface, shape, offset, special);
+    return;
+  }
+  const KeptPieces<2> pieces{ cut_pieces<2>(extract_bezier(surface), this->FewPieces) };
+  this->append<2>(patch, pieces, pieces.all.size(), surface, shape, offset, special);
 }
 
 } // namespace footpoint

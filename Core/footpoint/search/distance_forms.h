@@ -27,16 +27,17 @@ struct PieceShape
 {
   std::array<int, 2> degree;
   bool rational;
-  int rows;          ///< of a form, 2 degree[0] + 1
-  int columns;       ///< of a form, 2 degree[1] + 1
-  int stride;        ///< numbers from one row of a form to the next, a multiple of 8
-  int net_size;      ///< numbers of the control net, padded to a multiple of 8
-  int form_size;     ///< rows × stride
+  int rows;            ///< of a form, 2 degree[0] + 1
+  int columns;         ///< of a form, 2 degree[1] + 1
+  int stride;          ///< numbers from one row of a form to the next, a multiple of 8
+  int net_size;        ///< numbers of the control net, padded to a multiple of 8
+  int form_size;       ///< rows × stride
   int number_of_forms; ///< Q, Wx, Wy, Wz and, if rational, W2
-  double roundings;  ///< roundings (units of 2^-53) in the computed value of a form, see DistanceForms
-  /// halving[i][end]: column k, row j is the weight of coefficient k in coefficient j of the half at
-  /// that end (de Casteljau 1959), along direction i; columns are padded like rows of a form for the
-  /// second direction.
+  double
+    roundings; ///< roundings (units of 2^-53) in the computed value of a form, see DistanceForms
+  /// halving[i][end]: column k, row j is the weight of coefficient k in coefficient j of the half
+  /// at that end (de Casteljau 1959), along direction i; columns are padded like rows of a form for
+  /// the second direction.
   std::array<std::array<std::vector<double>, 2>, 2> halving;
 
   PieceShape(int p, int q, bool is_rational);
@@ -94,9 +95,10 @@ public:
 
 private:
   const PieceShape* shape(int p, int q, bool rational);
-  template <int N>
-  void append(std::int32_t patch, std::vector<BezierPiece<N>> pieces,
-    const ParametricGeometry<N>& geometry, bool rational, const Vector3& offset,
+  /// \param source whose for_each(visit) gives `count` Bézier pieces, one after the other
+  template <int N, class Source>
+  void append(std::int32_t patch, const Source& source, std::size_t count,
+    const ParametricGeometry<N>& geometry, const PieceShape* shape, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special);
 
   std::size_t FewPieces;

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+
+#include "footpoint/search/distance_forms.h"
+
+#include <gtest/gtest.h>
+
+using footpoint::Curve;
+using footpoint::DistanceForms;
+using footpoint::KnotVector;
+using footpoint::Piece;
+using footpoint::PieceShape;
+using footpoint::PieceSide;
+using footpoint::Surface;
+using footpoint::Vector3;
+using oracle::Real;
+
+namespace
+{
+
+const std::array<std::array<bool, 2>, 2> kNoneSpecial{};
+
+/// What a rounding is, in units of which PieceShape counts.
+constexpr Real kRounding = 0x1p-53L;
+
+DistanceForms forms_of(const Surface& surface)
+{
+  DistanceForms forms;
+  forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
+  return forms;
+}
+
+DistanceForms forms_of(const Curve& curve)
+{
+  DistanceForms forms;
+  forms.add(0, curve, Vector3::Zero(), kNoneSpecial);
+  return forms;
+}
+
+/// Every coefficient of all forms of a piece, from its net in long double: the largest difference
+/// over what Documentation/CertifiedSearch.md allows, (W2 coefficient) × roundings × reach^(2, 1,
+/// 0).
+double coefficient_error(const Piece& piece)
+{
+  const PieceShape& shape = *piece.shape;
+  const auto binomial = [](int n, int k)
+  {
+    Real result = 1.0L;
+    for (int i = 1; i <= k; ++i)
+    {
+      result = result * (n - k + i) / i;
+    }
+    return result;
+  };
+  const int p = shape.degree[0];
+  const int q = shape.degree[1];
+  const auto control = [&](int i, int j, int k) -> Real
+  { return piece.net[(i * (q + 1) + j) * 4 + k]; };
+  Real worst = 0.0L;
+  for (int m = 0; m < shape.rows; ++m)
+  {
+    for (int n = 0; n < shape.stride; ++n)
+    {
+      const int column = std::min(n, shape.columns - 1); // padded by the last one
+      std::array<Real, 5> sums{};
+      for (int i = std::max(0, m - p); i <= std::min(p, m); ++i)
+      {
+        for (int j = std::max(0, column - q); j <= std::min(q, column); ++j)
+        {
+          const Real factor = binomial(p, i) * binomial(p, m - i) * binomial(q, j) *
+            binomial(q, column - j) / (binomial(2 * p, m) * binomial(2 * q, column));
+          const Real w = control(i, j, 3);
+          sums[4] += factor * w * control(m - i, column - j, 3);
+          for (int k = 0; k < 3; ++k)
+          {
+            sums[0] += factor * control(i, j, k) * control(m - i, column - j, k);
+            sums[1 + k] += factor * w * control(m - i, column - j, k);
+          }
+        }
+      }
+      for (int form = 0; form < shape.number_of_forms; ++form)
+      {
+        const Real value = piece.forms[form * shape.form_size + m * shape.stride + n];
+        const Real size = form == 0 ? piece.reach * piece.reach : form == 4 ? 1.0L : piece.reach;
+        const Real allowed = sums[4] * shape.roundings * kRounding * size;
+        worst = std::max(worst, std::abs(value - sums[form]) / allowed);
+      }
+    }
+  }
+  return static_cast<double>(worst);
+}
+
+double coefficient_error(const DistanceForms& forms)
+{
+  double worst = 0.0;
+  for (const Piece& piece : forms.pieces())
+  {
+    worst = std::max(worst, coefficient_error(piece));
+  }
+  return worst;
+}
+
+/// How far corners of pieces are from the geometry, by its size.
+double corner_error(const DistanceForms& forms, const Surface& surface)
+{
+  double worst = 0.0;
+  for (const Piece& piece : forms.pieces())
+  {
+    const Vector3 corner = Vector3(piece.net[0], piece.net[1], piece.net[2]) / piece.net[3] +
+      Vector3(piece.origin[0], piece.origin[1], piece.origin[2]);
+    const Vector3 expected = surface.point({ piece.lower[0], piece.lower[1] });
+    worst = std::max(worst, (corner - expected).norm() / surface.size());
+  }
+  return worst;
+}
+
+Surface random_surface(int p, int q, bool rational)
+{
+  shapes::Random random(17);
+  const int nu = p + 3;
+  const int nv = q + 4;
+  const footpoint::Points net =
+    footpoint::Points::NullaryExpr(3, nu * nv, [&]() { return random.uniform(-1.0, 1.0); });
+  const Eigen::VectorXd weights = Eigen::VectorXd::NullaryExpr(
+    rational ? nu * nv : 0, [&]() { return random.uniform(0.5, 2.0); });
+  return Surface(KnotVector(p, shapes::clamped_knots(p, nu - p), "KnotsU"),
+    KnotVector(q, shapes::clamped_knots(q, nv - q), "KnotsV"), net, weights);
+}
+
+TEST(DistanceForms, CoefficientsAreThoseOfTheNetWithinTheirBound)
+{
+  for (const bool rational : { false, true })
+  {
+    // Rows of one vector, of several, and with a last one that is not full.
+    for (const std::array<int, 2> degree :
+      { std::array<int, 2>{ 1, 1 }, { 3, 3 }, { 2, 5 }, { 6, 4 }, { 1, 12 } })
+    {
+      EXPECT_LE(coefficient_error(forms_of(random_surface(degree[0], degree[1], rational))), 1.0)
+        << "degrees " << degree[0] << " and " << degree[1] << (rational ? ", rational" : "");
+    }
+  }
+  EXPECT_LE(coefficient_error(forms_of(shapes::circle())), 1.0);
+  EXPECT_LE(coefficient_error(forms_of(shapes::parabola())), 1.0);
+}
+
+TEST(DistanceForms, PiecesOfALargeNetAreItsSpans)
+{
+  const Surface sheet = shapes::bumpy(40, 1);
+  const DistanceForms forms = forms_of(sheet);
+  ASSERT_EQ(forms.pieces().size(), 37U * 37U);
+  ASSERT_EQ(forms.boxes().size(), forms.pieces().size());
+  EXPECT_LT(corner_error(forms, sheet), 1e-15);
+  // First direction fastest, as the spans of the knots.
+  EXPECT_EQ(forms.pieces()[1].lower[0], forms.pieces()[0].upper[0]);
+  EXPECT_EQ(forms.pieces()[1].lower[1], forms.pieces()[0].lower[1]);
+  EXPECT_EQ(forms.pieces()[37].lower[1], forms.pieces()[0].upper[1]);
+  EXPECT_EQ(forms.pieces()[0].sides[0][0], PieceSide::Boundary);
+  EXPECT_EQ(forms.pieces()[0].sides[0][1], PieceSide::Smooth);
+}
+
+TEST(DistanceForms, PiecesOfASmallNetAreCut)
+{
+  const Surface sheet = random_surface(3, 3, false);
+  const DistanceForms forms = forms_of(sheet);
+  EXPECT_GT(forms.pieces().size(), 12U); // 3 x 4 spans
+  EXPECT_LT(corner_error(forms, sheet), 1e-15);
+}
+
+TEST(DistanceForms, UnevenWeightsAreCutOnALargeNetToo)
+{
+  const Surface even = shapes::bumpy(40, 1);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(40 * 40);
+  weights(20 * 40 + 20) = 1e3;
+  const Surface uneven(even.knots(0), even.knots(1), even.local_control_points(), weights);
+  const DistanceForms forms = forms_of(uneven);
+  EXPECT_GT(forms.pieces().size(), 37U * 37U);
+  EXPECT_LT(corner_error(forms, uneven), 1e-14);
+  // What is within reach of the weight alone: the other spans are whole.
+  EXPECT_LT(forms.pieces().size(), 2 * 37U * 37U);
+
+  weights.setConstant(7.0);
+  weights(0) = 8.0;
+  const Surface mild(even.knots(0), even.knots(1), even.local_control_points(), weights);
+  EXPECT_EQ(forms_of(mild).pieces().size(), 37U * 37U);
+  EXPECT_LE(coefficient_error(forms_of(mild)), 1.0);
+}
+
+TEST(DistanceForms, BreaksInsideAreSpecialSides)
+{
+  // C0 at a knot in the first direction.
+  const Surface sheet(KnotVector(2, { 0, 0, 0, 1, 1, 2, 2, 2 }, "KnotsU"),
+    KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"),
+    shapes::points({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 1 }, { 3, 0, 0 }, { 4, 0, 0 }, { 0, 1, 0 },
+      { 1, 1, 0 }, { 2, 1, 1 }, { 3, 1, 0 }, { 4, 1, 0 } }));
+  const DistanceForms forms = forms_of(sheet);
+  for (const Piece& piece : forms.pieces())
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const double at = end == 0 ? piece.lower[0] : piece.upper[0];
+      const PieceSide expected = at == 1.0 ? PieceSide::Special
+        : at == 0.0 || at == 2.0           ? PieceSide::Boundary
+                                           : PieceSide::Smooth;
+      EXPECT_EQ(piece.sides[0][end], expected) << "at " << at;
+    }
+  }
+}
+
+} // namespace
