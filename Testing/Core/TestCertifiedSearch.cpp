@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The certified search for itself: vector instructions, order, certificates that must not be given.
+/// The certified search for itself: vector instructions, order, certificates that must not be
+/// given.
 
 #include "Inversion.h"
-
-#include <hwy/targets.h>
+#include "OnlyTarget.h"
 
 #include <algorithm>
 
@@ -35,14 +35,6 @@ Points queries_about(const Surface& surface, std::uint64_t seed)
   }
   return points;
 }
-
-/// Runs with one set of vector instructions only, and puts things back at the end.
-class OnlyTarget
-{
-public:
-  explicit OnlyTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
-  ~OnlyTarget() { hwy::SetSupportedTargetsForTest(0); }
-};
 
 } // namespace
 

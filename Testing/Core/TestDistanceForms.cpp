@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "OnlyTarget.h"
 #include "Shapes.h"
 
 #include "footpoint/search/distance_forms.h"
@@ -127,16 +128,23 @@ Surface random_surface(int p, int q, bool rational)
     KnotVector(q, shapes::clamped_knots(q, nv - q), "KnotsV"), net, weights);
 }
 
+constexpr std::array<std::array<int, 2>, 5> kDegrees{ { { 1, 1 }, { 3, 3 }, { 2, 5 }, { 6, 4 },
+  { 1, 12 } } };
+
 TEST(DistanceForms, CoefficientsAreThoseOfTheNetWithinTheirBound)
 {
-  for (const bool rational : { false, true })
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
   {
-    // Rows of one vector, of several, and with a last one that is not full.
-    for (const std::array<int, 2> degree :
-      { std::array<int, 2>{ 1, 1 }, { 3, 3 }, { 2, 5 }, { 6, 4 }, { 1, 12 } })
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnlyTarget only(target);
+    for (const bool rational : { false, true })
     {
-      EXPECT_LE(coefficient_error(forms_of(random_surface(degree[0], degree[1], rational))), 1.0)
-        << "degrees " << degree[0] << " and " << degree[1] << (rational ? ", rational" : "");
+      // Rows of one vector, of several, and with a last one that is not full.
+      for (const std::array<int, 2>& degree : kDegrees)
+      {
+        EXPECT_LE(coefficient_error(forms_of(random_surface(degree[0], degree[1], rational))), 1.0)
+          << "degrees " << degree[0] << " and " << degree[1] << (rational ? ", rational" : "");
+      }
     }
   }
   EXPECT_LE(coefficient_error(forms_of(shapes::circle())), 1.0);
