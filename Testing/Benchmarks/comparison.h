@@ -13,7 +13,7 @@ namespace inversion_benchmark
 struct Settings
 {
   int points = 100000; ///< of a class of queries, at most
-  double budget = 0.2; ///< seconds of one pass over a class; slow programs get fewer points
+  double budget = 0.06; ///< seconds of one pass over a class; slow programs get fewer points
   int repeats = 5;     ///< passes, by turns between the programs; the median counts
   bool ours_only = false;
   std::vector<std::string> shapes; ///< names; empty: all

@@ -17,6 +17,12 @@ void row(std::ostream& out, const std::string& what, const std::string& aim,
       << " |\n";
 }
 
+/// A row without an aim.
+void fact(std::ostream& out, const std::string& what, const std::string& measured)
+{
+  out << "| " << what << " | – | " << measured << " | – |\n";
+}
+
 /// A row of several numbers, each with its upper limit.
 void limits(std::ostream& out, const std::string& what, const std::vector<double>& aims,
   const std::vector<double>& measured)
@@ -131,25 +137,39 @@ std::int64_t most_points(const Records& records, const std::string& part)
   return most;
 }
 
-void print_own_times(std::ostream& out, const Records& records, const std::string& ours)
+/// Ours by classes of queries in a part of the measurement; empty where it was left out.
+std::vector<double> main_times(
+  const Records& records, const std::string& part, const std::string& program)
 {
-  std::vector<double> single;
-  std::vector<double> filter;
+  std::vector<double> times;
   for (const QueryClass query_class : kMainClasses)
   {
-    single.push_back(time_of(records, "comparison", "bumpy40", query_class, ours));
-    filter.push_back(time_of(records, "filter", "bumpy40", query_class, ours));
+    const double time = time_of(records, part, "bumpy40", query_class, program);
+    if (std::isfinite(time))
+    {
+      times.push_back(time);
+    }
   }
+  return times;
+}
+
+void print_own_times(std::ostream& out, const Records& records, const std::string& ours)
+{
   limits(out, "40 × 40 bicubic, one query at a time: on / near / off / far", { .25, .40, .75, .40 },
-    single);
-  limits(out,
-    "the same through the filter, up to " + std::to_string(most_points(records, "filter")) +
-      " points, output included",
-    { .30, .45, .80, .50 }, filter);
+    main_times(records, "comparison", ours));
+  const std::vector<double> filter = main_times(records, "filter", ours);
+  if (!filter.empty())
+  {
+    limits(out,
+      "the same through the filter, " + std::to_string(most_points(records, "filter")) +
+        " points, sorting and output included",
+      { .30, .45, .80, .50 }, filter);
+  }
   const Record small = mean_of_net(records, "bumpy40");
   const Record large = mean_of_net(records, "bumpy200");
-  limits(out, "200 × 200 net against 40 × 40, time a point; built in ms", { 1.3, 50 },
-    { large.microseconds / small.microseconds, large.build });
+  limits(out,
+    "200 × 200 net against 40 × 40, points in blocks 0 … 1 piece off: time a point; built in ms",
+    { 1.3, 50 }, { large.microseconds / small.microseconds, large.build });
   limits(
     out, "curve of 200 control points, mean", { .20 }, { mean_time(records, "curve200", ours) });
   limits(out, "within 1e-9 × size of a centre: mean, slowest; 1e6 × size away: mean",
@@ -199,6 +219,60 @@ void print_ratios(std::ostream& out, const Records& records, const std::string& 
   ratio(out, records, ours, "VTK locator", 10, "each surface", surface);
 }
 
+/// How far distances on the tessellation are off.
+void print_locator_error(std::ostream& out, const Records& records)
+{
+  std::vector<double> errors;
+  for (const Shape& shape : all_shapes())
+  {
+    double largest = NAN;
+    for (const QueryClass query_class : kMainClasses)
+    {
+      const Record* r =
+        find(records, "comparison", shape.name, name_of(query_class), "VTK locator");
+      largest = r != nullptr ? std::fmax(largest, r->error) : largest;
+    }
+    if (shape.family != Family::Other && std::isfinite(largest))
+    {
+      errors.push_back(largest);
+    }
+  }
+  if (!errors.empty())
+  {
+    fact(out, "largest error of the VTK locator's distances, by the size, on each surface",
+      "median " + small(median(errors)) + ", " +
+        small(*std::min_element(errors.begin(), errors.end())) + " … " +
+        small(*std::max_element(errors.begin(), errors.end())));
+  }
+}
+
+/// Older vector instructions against the newest that the processor has.
+void print_vector_targets(std::ostream& out, const Records& records)
+{
+  std::vector<std::string> names;
+  for (const Record& r : records)
+  {
+    if (r.part == "vectors" && std::find(names.begin(), names.end(), r.program) == names.end())
+    {
+      names.push_back(r.program);
+    }
+  }
+  for (std::size_t k = 0; k + 1 < names.size(); ++k)
+  {
+    const std::vector<double> older = main_times(records, "vectors", names[k]);
+    const std::vector<double> newest = main_times(records, "vectors", names.back());
+    std::string times;
+    for (std::size_t i = 0; i < older.size(); ++i)
+    {
+      times += (i == 0 ? "" : " / ") + number(older[i] / newest[i]);
+    }
+    fact(out,
+      "40 × 40 bicubic with " + names[k] + " alone, time against " + names.back() +
+        ": on / near / off / far",
+      times + " ×");
+  }
+}
+
 void print_threads(std::ostream& out, const Records& records)
 {
   double one = NAN;
@@ -213,8 +287,10 @@ void print_threads(std::ostream& out, const Records& records)
   }
   if (std::isfinite(two))
   {
-    row(out, "two threads, through the filter", "≥ 1.8 ×", number(one / two) + " ×",
-      one / two >= 1.8);
+    row(out,
+      "two threads against one, through the filter, " +
+        std::to_string(most_points(records, "threads")) + " points",
+      "≥ 1.8 ×", number(one / two) + " ×", one / two >= 1.8);
   }
 }
 
@@ -227,7 +303,9 @@ void print_figures(std::ostream& out, const Records& records)
   print_correctness(out, records, ours);
   print_own_times(out, records, ours);
   print_ratios(out, records, ours);
+  print_locator_error(out, records);
   print_threads(out, records);
+  print_vector_targets(out, records);
   out << '\n';
 }
 

@@ -1,9 +1,10 @@
 # inversion_benchmark: ours beside other programs, each of which is optional.
 add_executable(inversion_benchmark
   benchmark_shapes.cpp comparison.cpp figures.cpp inversion_benchmark.cpp peer_footpoint.cpp
-  queries.cpp results.cpp scaling.cpp tables.cpp)
+  queries.cpp results.cpp scaling.cpp tables.cpp vector_targets.cpp)
 target_include_directories(inversion_benchmark PRIVATE "${CMAKE_SOURCE_DIR}/Testing/Core")
-target_link_libraries(inversion_benchmark PRIVATE Footpoint::Core)
+find_package(hwy 1.0 REQUIRED CONFIG) # to choose vector instructions
+target_link_libraries(inversion_benchmark PRIVATE Footpoint::Core hwy::hwy)
 target_compile_options(inversion_benchmark PRIVATE ${footpoint_vtk_warnings})
 
 set(footpoint_peers)
@@ -34,6 +35,9 @@ if (NOT FOOTPOINT_CORE_ONLY)
   target_compile_definitions(inversion_benchmark PRIVATE BENCHMARK_VTK)
 endif ()
 list(JOIN footpoint_peers ", " footpoint_peers)
+if (NOT footpoint_peers)
+  set(footpoint_peers "no other program")
+endif ()
 message(STATUS "Footpoint: inversion_benchmark compares with ${footpoint_peers}")
 
 # Too few points for figures: only that it runs, from the first shape to the last.

@@ -15,6 +15,7 @@ public:
 
   bool build(const Shape& shape) override
   {
+    this->Inverter.reset(); // two large ones need not fit
     this->Inverter = std::make_unique<footpoint::PointInverter>(model_of(shape));
     return true;
   }

@@ -87,7 +87,7 @@ void print_means(std::ostream& out, const Records& records)
 
 } // namespace
 
-void print_machine(std::ostream& out)
+void print_machine(std::ostream& out, const Settings& settings)
 {
   out << "Machine: " << processor() << ", " << std::thread::hardware_concurrency()
       << " threads; compiler " <<
@@ -96,7 +96,8 @@ void print_machine(std::ostream& out)
 #else
     "unknown"
 #endif
-      << ". Times are µs a point, one thread unless said otherwise, medians.\n\n";
+      << ". Measured with `--budget " << settings.budget << " --repeats " << settings.repeats
+      << "`. Times are µs a point, one thread unless said otherwise, medians.\n\n";
 }
 
 void print_comparison(std::ostream& out, const Records& records)
