@@ -37,7 +37,7 @@ Times point inversion, one thread, and prints tables in Markdown. Everything by 
   --list           print the names of the shapes
   --help           print this
 
-Progress goes to the standard error. On two slow threads everything takes 6 minutes, with
+Progress goes to the standard error. On two slow threads everything takes 5 minutes, with
 --budget 0.01 --repeats 1 (rough figures) 2.
 )";
 

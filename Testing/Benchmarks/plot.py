@@ -3,7 +3,8 @@
 
     plot.py <folder of inversion.csv> [folder for the pictures, the same by default]
 
-Writes inversion-shapes.png, inversion-accuracy.png and inversion-scaling.png. Needs matplotlib.
+Writes inversion-shapes.png, inversion-accuracy.png and, where everything was measured,
+inversion-scaling.png; panels of what was left out are left out. Needs matplotlib.
 """
 
 import csv
@@ -21,6 +22,9 @@ MAIN_CLASSES = ("on", "near", "off", "far")
 STYLES = {"Footpoint": ("#d55e00", "o"), "OCCT": ("#0072b2", "s"), "SISL": ("#009e73", "^"),
           "VTK locator": ("#cc79a7", "D")}
 TIME = "time a point [µs]"
+OURS = "Footpoint"
+# Shades from light to dark for what gets newer or larger, and hatches for print.
+SHADES = (("#f6c9a8", ""), ("#e8915a", "//"), ("#d55e00", ""), ("#7a3600", ""))
 SMALLEST_ERROR = 1e-17  # what an error of 0 is drawn as
 RESOLUTION = 110  # dots an inch
 
@@ -54,6 +58,7 @@ def legend_above(axes):
 def finish(figure, axes, path):
     for one in axes:
         one.grid(True, which="major", alpha=0.3)
+        one.set_axisbelow(True)
         one.spines[["top", "right"]].set_visible(False)
     figure.savefig(path, dpi=RESOLUTION)
     plt.close(figure)
@@ -95,37 +100,101 @@ def draw_accuracy(rows, path):
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel(TIME)
-    axes.set_ylabel("largest error of the distance / size")
+    axes.set_ylabel("largest error of a distance / size\n(none: drawn at 1e-17)")
     legend_above(axes)
     finish(figure, [axes], path)
 
 
-def draw_scaling(rows, path):
-    """Time against pieces, points and threads."""
-    figure, (pieces, points, threads) = plt.subplots(1, 3, figsize=(12, 4), layout="constrained")
+def curve(axes, rows, key, style, **more):
+    """Markers and a line of a column against `scale`."""
+    color, marker = style
+    axes.plot([row["scale"] for row in rows], [row[key] for row in rows], marker + "-",
+              color=color, **more)
+
+
+def pieces_legend(axes):
+    axes.set_ylim(top=axes.get_ylim()[1] * 30)  # room for it
+    axes.legend(loc="upper left", ncols=2, fontsize="small", frameon=False)
+
+
+def draw_pieces(axes, rows):
     for program in programs(rows):
-        color, marker = STYLES[program]
+        label = f"{program}, 200 × 200 mesh" if program == "VTK locator" else program
+        curve(axes, part(rows, "pieces", program), "microseconds", STYLES[program], label=label)
+    axes.set(xscale="log", yscale="log", xlabel="Bézier pieces", ylabel=TIME,
+             title="One query at a time, half a piece off")
+    pieces_legend(axes)
+
+
+def draw_build(axes, rows):
+    for program in programs(rows):
         shown = part(rows, "pieces", program)
-        pieces.plot([row["scale"] for row in shown], [row["microseconds"] for row in shown],
-                    marker + "-", color=color, label=program)
-    pieces.set(xscale="log", yscale="log", xlabel="Bézier pieces", ylabel=TIME,
-               title="One query at a time, half a piece off")
-    color, marker = STYLES["Footpoint"]
-    shown = part(rows, "points")
-    points.plot([row["scale"] for row in shown], [row["microseconds"] for row in shown],
-                marker + "-", color=color)
-    points.set(xscale="log", xlabel="points", ylabel=TIME,
-               ylim=(0, 1.2 * max(row["microseconds"] for row in shown)),
-               title="Filter on 40 × 40, one thread")
+        curve(axes, [row for row in shown if row["build_ms"] > 0], "build_ms", STYLES[program],
+              label=program)
+    axes.set(xscale="log", yscale="log", xlabel="Bézier pieces", ylabel="time once a geometry [ms]",
+             title="Building what is searched")
+    pieces_legend(axes)
+
+
+def draw_net(axes, rows):
+    for shape, color, marker in (("bumpy40", "#e8915a", "o"), ("bumpy200", "#7a3600", "s")):
+        shown = [row for row in part(rows, "net") if row["shape"] == shape]
+        poles = shape.removeprefix("bumpy")
+        curve(axes, shown, "microseconds", (color, marker),
+              label=f"{poles} × {poles} control points")
+    axes.set(xlabel="distance from the surface [sizes of a piece]", ylabel=TIME, ylim=(0, None),
+             title="One query at a time, points in blocks")
+    axes.legend(frameon=False)
+
+
+def draw_points(axes, rows):
+    curve(axes, part(rows, "points"), "microseconds", STYLES[OURS])
+    axes.set(xscale="log", xlabel="points, 0.1 × size off", ylabel=TIME, ylim=(0, None),
+             title="Filter on 40 × 40, one thread")
+
+
+def draw_threads(axes, rows):
     shown = part(rows, "threads")
     counts = [row["scale"] for row in shown]
-    threads.plot(counts, [shown[0]["microseconds"] / row["microseconds"] for row in shown],
-                 marker + "-", color=color)
-    threads.plot(counts, counts, ":", color="grey")
-    threads.set(xlabel="threads", ylabel="speed-up (dotted: ideal)", xticks=counts, ylim=(0, 1.1 * max(counts)),
-                title="Filter on 40 × 40, threads")
-    pieces.legend(frameon=False)
-    finish(figure, [pieces, points, threads], path)
+    times = [shown[0]["microseconds"] / row["microseconds"] for row in shown]
+    color, marker = STYLES[OURS]
+    axes.plot(counts, counts, ":", color="grey", label="ideal")
+    axes.plot(counts, times, marker + "-", color=color, label="measured")
+    axes.set(xlabel="threads", ylabel="speed-up", xticks=counts, ylim=(0, 1.1 * max(counts)),
+             title=f"Filter on 40 × 40, {shown[0]['points']:,.0f} points")
+    axes.legend(loc="upper left", frameon=False)
+
+
+def draw_vectors(axes, rows):
+    shown = part(rows, "vectors")
+    targets = list(dict.fromkeys(row["program"] for row in shown))
+    width = 0.8 / len(targets)
+    for k, target in enumerate(targets):
+        times = [row["microseconds"] for query in MAIN_CLASSES
+                 for row in shown if row["query"] == query and row["program"] == target]
+        color, hatch = SHADES[k]
+        axes.bar([place + (k - (len(targets) - 1) / 2) * width for place in range(len(times))],
+                 times, width, color=color, hatch=hatch, edgecolor="white", label=target)
+    axes.set(xticks=range(len(MAIN_CLASSES)), xlabel="points", ylabel=TIME,
+             title="40 × 40 by vector instructions")
+    axes.set_xticklabels(MAIN_CLASSES)
+    axes.legend(frameon=False)
+
+
+def draw_scaling(rows, path):
+    """Time against pieces, distance, points, threads and vector instructions, as far as measured."""
+    panels = [(name, draw) for name, draw in (
+        ("pieces", draw_pieces), ("pieces", draw_build), ("net", draw_net), ("points", draw_points),
+        ("threads", draw_threads), ("vectors", draw_vectors)) if part(rows, name)]
+    columns = 2 if len(panels) == 4 else min(3, len(panels))
+    lines = -(-len(panels) // columns)
+    figure, grid = plt.subplots(lines, columns, figsize=(4.4 * columns, 3.8 * lines),
+                                layout="constrained", squeeze=False)
+    for axes, (_, draw) in zip(grid.flat, panels):
+        draw(axes, rows)
+    for axes in grid.flat[len(panels):]:
+        axes.remove()
+    finish(figure, grid.flat[:len(panels)], path)
 
 
 def main():
@@ -135,7 +204,7 @@ def main():
     rows = read(source / "inversion.csv")
     draw_shapes(rows, target / "inversion-shapes.png")
     draw_accuracy(rows, target / "inversion-accuracy.png")
-    if all(part(rows, name) for name in ("pieces", "points", "threads")):
+    if part(rows, "pieces"):
         draw_scaling(rows, target / "inversion-scaling.png")
 
 
