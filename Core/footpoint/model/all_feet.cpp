@@ -16,39 +16,35 @@ std::vector<Candidate> PointInverter::Implementation::every(
   std::vector<Candidate> kept;
   const double limit = this->Options.maximum_distance;
   const bool lines = this->wants_lines();
-  PatchQuery bounds;
-  bounds.point = point;
-  for (const std::size_t k : this->by_bound(bounds, limit))
-  {
-    PatchQuery query = this->query(point, start, k);
-    query.sought = lines ? Sought::Intersection
-                         : (this->Options.orthogonal_only ? Sought::Orthogonal : Sought::Minimum);
-    this->Patches[k].search->search(
-      query, [limit] { return limit; },
-      [&](const PatchFoot& foot)
+  const Sought sought = lines
+    ? Sought::Intersection
+    : (this->Options.orthogonal_only ? Sought::Orthogonal : Sought::Minimum);
+  this->search(
+    this->query(point, sought), start, [limit] { return limit; },
+    [&](const Candidate& candidate)
+    {
+      const PatchFoot& foot = candidate.foot;
+      if (!foot.converged || foot.distance > limit)
       {
-        if (!foot.converged || foot.distance > limit)
+        return;
+      }
+      const auto known = std::find_if(kept.begin(), kept.end(),
+        [&](const Candidate& other)
         {
-          return;
-        }
-        const Candidate candidate{ k, foot };
-        auto known = std::find_if(kept.begin(), kept.end(),
-          [&](const Candidate& other)
-          {
-            return this->same(candidate, other) ||
-              (!lines && other.patch == k &&
-                this->Patches[k].search->level(point, foot, other.foot));
-          });
-        if (known == kept.end())
-        {
-          kept.push_back(candidate);
-        }
-        else if (this->better(candidate, *known))
-        {
-          *known = candidate;
-        }
-      });
-  }
+          return this->same(candidate, other) ||
+            (lines ? this->same_touch(candidate, other)
+                   : other.patch == candidate.patch &&
+                  this->Patches[other.patch].search->level(point, foot, other.foot));
+        });
+      if (known == kept.end())
+      {
+        kept.push_back(candidate);
+      }
+      else if (this->better(candidate, *known))
+      {
+        *known = candidate;
+      }
+    });
   std::stable_sort(kept.begin(), kept.end(),
     [](const Candidate& a, const Candidate& b) { return a.foot.distance < b.foot.distance; });
   // Equal distances by face, u, v: neighbours in the list are exchanged until they are in order.
@@ -59,7 +55,14 @@ std::vector<Candidate> PointInverter::Implementation::every(
       std::swap(kept[i], kept[i - 1]);
     }
   }
-  this->thin_out_continua(point, kept);
+  if (lines)
+  {
+    this->thin_out_lines(kept);
+  }
+  else
+  {
+    this->thin_out_continua(point, kept);
+  }
   return kept;
 }
 
@@ -83,6 +86,26 @@ void PointInverter::Implementation::thin_out_continua(
     }
     continuum = false;
     kept.push_back(candidate);
+  }
+  feet = std::move(kept);
+}
+
+/// Where the line lies in a patch, the nearest of the points found there stands for all.
+void PointInverter::Implementation::thin_out_lines(std::vector<Candidate>& feet) const
+{
+  std::vector<std::size_t> seen;
+  std::vector<Candidate> kept;
+  for (const Candidate& candidate : feet)
+  {
+    const bool known = std::find(seen.begin(), seen.end(), candidate.patch) != seen.end();
+    if (candidate.foot.isolated || !known)
+    {
+      kept.push_back(candidate);
+    }
+    if (!candidate.foot.isolated)
+    {
+      seen.push_back(candidate.patch);
+    }
   }
   feet = std::move(kept);
 }

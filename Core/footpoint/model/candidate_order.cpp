@@ -56,6 +56,16 @@ bool PointInverter::Implementation::same(const Candidate& a, const Candidate& b)
     (a.foot.offset - b.foot.offset).norm() <= kSamePoint * this->Size;
 }
 
+/// Two meetings of a line that touches, on one face and no farther apart than the touch is long.
+bool PointInverter::Implementation::same_touch(const Candidate& a, const Candidate& b) const
+{
+  /// About √(8 kMeets), twice as much.
+  constexpr double kLengthOfTouch = 6e-5;
+  return a.foot.touches && b.foot.touches &&
+    this->Patches[a.patch].face == this->Patches[b.patch].face &&
+    (a.foot.offset - b.foot.offset).norm() <= kLengthOfTouch * this->Size;
+}
+
 /// Not a strict order where parameters are nearly equal, so no sort: one pass for the best.
 void PointInverter::Implementation::put_best_first(std::vector<Candidate>& feet) const
 {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/certified_feet.h"
 
+#include "footpoint/search/better_foot.h"
+#include "footpoint/search/box_traversal.h"
+#include "footpoint/search/line_search.h"
+#include "footpoint/search/stationary_cells.h"
 #include "footpoint/solvers/foot_conditions.h"
 
 #include <algorithm>
@@ -21,10 +25,19 @@ constexpr double kPlainCurvature = 1e-5;
 /// … and where the sine between S_u and S_v is above this.
 constexpr double kPlainSine = 1e-6;
 
+/// A start on a border over which the geometry is not smooth is moved inside by this part of the
+/// piece, since there the sides differ (a gap even has two points).
+constexpr double kInside = 1e-6;
+
 /// Pieces that cutting may make of all patches together, and of one: about 2.4 KB each where bicubic.
 constexpr std::size_t kPiecesOfModel = 65536;
 constexpr std::size_t kFewestPieces = 4;
 constexpr std::size_t kMostPieces = 1024;
+
+/// Starts on a patch where nothing is proved, about, and into how many parts a piece is divided for
+/// them along a side at the most.
+constexpr std::size_t kStarts = 1024;
+constexpr int kMostParts = 16;
 
 /// How far the extracted pieces may lie from the geometry by rounding, as a fraction of the size: a
 /// few roundings for each step of the blossom, of the shift to the piece's origin and of the
@@ -77,6 +90,9 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     }
   }
   this->ExtractionError = 2.0 * extraction_error(degrees);
+  const double wanted = static_cast<double>(kStarts * this->Members.size()) /
+    static_cast<double>(std::max<std::size_t>(forms.pieces().size(), 1));
+  this->Parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(wanted))), 1, kMostParts);
   this->Search = CertifiedSearch(std::move(forms));
 }
 
@@ -87,6 +103,88 @@ void CertifiedFeet::find(const Vector3& point, double limit, double tolerance,
   this->Search.find(
     { point - this->Centre, limit, this->Size, left * this->Size }, workspace, answer);
   answer.certified = answer.certified && left > 0.0;
+}
+
+void CertifiedFeet::visit_starts(const PatchQuery& query, const std::function<double()>& limit,
+  const VisitPart& visit) const
+{
+  const Vector3 point = query.point - this->Centre;
+  const DistanceForms& forms = this->Search.forms();
+  auto visit_piece = [&](const PieceStart& start) { return this->visit_start(start, visit); };
+  if (query.sought == Sought::Intersection)
+  {
+    visit_meeting_starts(forms, this->Search.tree(),
+      { point, query.line, kMeets * this->Size, limit() }, visit_piece);
+    return;
+  }
+  visit_stationary_starts(forms, this->Search.tree(),
+    { point, query.sought == Sought::Orthogonal }, limit, visit_piece);
+}
+
+void CertifiedFeet::visit_pieces(const Vector3& point, const std::function<double()>& limit,
+  const std::function<void(std::size_t, const PatchStart&)>& visit) const
+{
+  const auto visit_near = [&](std::size_t member, const PatchStart& start, const Parameter<2>&,
+                            const Parameter<2>&)
+  {
+    const Patch& patch = *this->Members[member].patch;
+    const Vector3 from = patch.curve
+      ? Vector3(patch.curve->centre() + patch.curve->point(start.local.head<1>()))
+      : Vector3(patch.surface->centre() + patch.surface->point(start.local));
+    if ((from - point).norm() - start.reach <= limit())
+    {
+      visit(member, start);
+    }
+    return true;
+  };
+  visit_near_boxes(this->Search.tree(), point - this->Centre, limit,
+    [&](std::int32_t index)
+    {
+      const Patch& patch = *this->Members[this->Search.piece(index).patch].patch;
+      const int parts = this->Parts;
+      for (int k = 0; k < (patch.curve ? parts : parts * parts); ++k)
+      {
+        const std::array<double, 2> lower{ { static_cast<double>(k / parts) / parts,
+          static_cast<double>(k % parts) / parts } };
+        const double half = 0.5 / parts;
+        const PieceStart start{ index, { { lower[0] + half, lower[1] + half } }, lower,
+          { { lower[0] + 2.0 * half, lower[1] + 2.0 * half } }, false };
+        this->visit_start(start, visit_near);
+      }
+    });
+}
+
+bool CertifiedFeet::visit_start(const PieceStart& start, const VisitPart& visit) const
+{
+  const Piece& piece = this->Search.piece(start.piece);
+  const bool curve = this->Members[piece.patch].patch->curve != nullptr;
+  const std::array<Vector3, 2>& box = this->Search.forms().boxes()[start.piece];
+  PatchStart result{ Parameter<2>::Zero(), 0.0, start.simple };
+  double widest = start.simple ? 1.0 : 0.0;
+  Parameter<2> lower = Parameter<2>::Zero();
+  Parameter<2> upper = Parameter<2>::Zero();
+  for (int i = 0; i < (curve ? 1 : 2); ++i)
+  {
+    const int from = curve ? 1 : i;
+    auto local = [&](double t)
+    { return t == 1.0 ? piece.upper[from] : piece.lower[from] + t * piece.width[from]; };
+    double t = start.t[from];
+    if ((t == 0.0 || t == 1.0) && piece.sides[from][t == 1.0] == PieceSide::Special)
+    {
+      t += t == 0.0 ? kInside : -kInside;
+    }
+    result.local(i) = local(t);
+    const double width = start.upper[from] - start.lower[from];
+    result.part *= width;
+    widest = std::max(widest, width);
+    lower(i) = local(start.lower[from]);
+    upper(i) = local(start.upper[from]);
+    const Direction& direction = direction_of(*this->Members[piece.patch].patch, i);
+    result.pole = result.pole || (direction.collapsed[0] && lower(i) == 0.0) ||
+      (direction.collapsed[1] && upper(i) == direction.length);
+  }
+  result.reach = widest * (box[1] - box[0]).norm();
+  return visit(piece.patch, result, lower, upper);
 }
 
 PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const

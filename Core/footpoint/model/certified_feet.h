@@ -4,6 +4,7 @@
 #include "footpoint/model/point_inversion.h"
 #include "footpoint/model/shared_borders.h"
 #include "footpoint/search/certified_search.h"
+#include "footpoint/search/piece_start.h"
 
 namespace footpoint
 {
@@ -35,6 +36,21 @@ public:
   void find(const Vector3& point, double limit, double tolerance, SearchWorkspace& workspace,
     CertifiedAnswer& answer) const;
 
+  /// Told a start on a member, and the local parameters of the part that it stands for; returns
+  /// whether what it leads to settles that part (see VisitStart).
+  using VisitPart = std::function<bool(std::size_t member, const PatchStart& start,
+    const Parameter<2>& lower, const Parameter<2>& upper)>;
+
+  /// Visits starts for all that is sought (point, line and kind of feet) on the splines. Nothing
+  /// farther than limit() is sought, visits may lower it.
+  void visit_starts(const PatchQuery& query, const std::function<double()>& limit,
+    const VisitPart& visit) const;
+
+  /// Visits starts all over the pieces whose boxes are no farther than limit(), near ones first;
+  /// what is about as far as the starts are apart farther than limit() is left out.
+  void visit_pieces(const Vector3& point, const std::function<double()>& limit,
+    const std::function<void(std::size_t member, const PatchStart& start)>& visit) const;
+
   std::size_t member(const PieceFoot& foot) const
   {
     return static_cast<std::size_t>(this->Search.piece(foot.piece).patch);
@@ -48,11 +64,13 @@ public:
   bool plain_foot(const PieceFoot& found, Foot& foot) const;
 
 private:
+  bool visit_start(const PieceStart& start, const VisitPart& visit) const;
   Parameter<2> domain_parameter(const PieceFoot& foot, const Piece& piece) const;
 
   std::vector<Member> Members;
   std::vector<bool> TakesPart;
   bool Complete = true;
+  int Parts = 1; ///< of a piece along a side, with a start in each
   Vector3 Centre;
   double Size;
   double ExtractionError; ///< of both ends of a distance, a fraction of the size

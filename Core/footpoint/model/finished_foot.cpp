@@ -67,7 +67,8 @@ Foot PointInverter::Implementation::finish(
   foot.distance = found.distance;
   foot.direction = this->direction(candidate);
   this->settle_shared_border(foot, point, candidate, others);
-  foot.isolated = this->wants_lines() || prepared.search->isolated(point, found);
+  foot.isolated =
+    this->wants_lines() ? found.isolated : prepared.search->isolated(point, found);
   if (!foot.on_curve)
   {
     const bool below = -found.offset.dot(foot.direction) < 0.0;

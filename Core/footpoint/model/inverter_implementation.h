@@ -34,22 +34,29 @@ struct PointInverter::Implementation
   bool lower(const Candidate& a, const Candidate& b) const;
   bool better(const Candidate& a, const Candidate& b) const;
   bool same(const Candidate& a, const Candidate& b) const;
+  bool same_touch(const Candidate& a, const Candidate& b) const;
   void put_best_first(std::vector<Candidate>& feet) const;
 
   // === The nearest foot, in nearest_foot.cpp
 
-  PatchQuery query(const Vector3& point, const Start& start, std::size_t patch) const;
+  PatchQuery query(const Vector3& point, Sought sought) const;
   std::vector<std::size_t> by_bound(const PatchQuery& query, double limit) const;
+  bool settles(const PatchQuery& query, const Candidate& candidate, const PatchStart& start,
+    const Parameter<2>& lower, const Parameter<2>& upper) const;
+  void search(const PatchQuery& query, const Start& start, const std::function<double()>& limit,
+    const std::function<void(const Candidate&)>& found) const;
   std::vector<Candidate> nearest(const Vector3& point, const Start& start, Sought sought) const;
   bool certifies() const;
   Foot nearest_certified(const Vector3& point, PointInverter::Workspace::Memory& memory) const;
-  void add_uncertified(const Vector3& point, std::vector<Candidate>& feet) const;
+  void add_uncertified(
+    const Vector3& point, bool on_splines, std::vector<Candidate>& feet) const;
 
   // === All feet, in all_feet.cpp
 
   bool wants_lines() const { return !this->Options.fixed_direction.isZero(0.0); }
   std::vector<Candidate> every(const Vector3& point, const Start& start) const;
   void thin_out_continua(const Vector3& point, std::vector<Candidate>& feet) const;
+  void thin_out_lines(std::vector<Candidate>& feet) const;
   void put_nearest_in(std::vector<Foot>& feet, Foot nearest) const;
 
   // === From a candidate to a foot, in finished_foot.cpp

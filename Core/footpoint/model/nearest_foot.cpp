@@ -8,18 +8,13 @@
 namespace footpoint
 {
 
-PatchQuery PointInverter::Implementation::query(
-  const Vector3& point, const Start& start, std::size_t patch) const
+PatchQuery PointInverter::Implementation::query(const Vector3& point, Sought sought) const
 {
   PatchQuery query;
   query.point = point;
+  query.sought = sought;
   query.search = this->Options.search;
   query.line = this->Options.fixed_direction;
-  if (start.face < 0 || start.face == this->Patches[patch].face)
-  {
-    query.start = start.parameter;
-    query.start(1) = this->Patches[patch].patch->curve ? 0.0 : query.start(1);
-  }
   return query;
 }
 
@@ -45,6 +40,72 @@ std::vector<std::size_t> PointInverter::Implementation::by_bound(
   return result;
 }
 
+/// Whether a foot settles a part of its patch: it lies there or beside it, and is one of a
+/// continuum, or the part is small, and another one near the foot could not be told from it.
+bool PointInverter::Implementation::settles(const PatchQuery& query, const Candidate& candidate,
+  const PatchStart& start, const Parameter<2>& lower, const Parameter<2>& upper) const
+{
+  /// A cell of 1/256 × 1/256 of a piece.
+  constexpr double kSmall = 0x1p-16;
+  const PatchFoot& foot = candidate.foot;
+  const PatchSearch& search = *this->Patches[candidate.patch].search;
+  if (!search.near(foot, start, lower, upper))
+  {
+    return false;
+  }
+  if (query.sought == Sought::Intersection)
+  {
+    return !foot.isolated || (start.part <= kSmall && foot.touches);
+  }
+  return (start.part <= kSmall && search.flat(query.point, foot)) ||
+    !search.isolated(query.point, foot);
+}
+
+/// Calls found(candidate) for what is sought, as far as it is no farther than limit(); the same
+/// foot more than once. In global search splines are searched piece by piece; all else from starts.
+void PointInverter::Implementation::search(const PatchQuery& query, const Start& start,
+  const std::function<double()>& limit, const std::function<void(const Candidate&)>& found) const
+{
+  const CertifiedFeet* splines =
+    this->Options.search == Search::Global ? this->Prepared->certified() : nullptr;
+  if (splines)
+  {
+    splines->visit_starts(query, limit,
+      [&](
+        std::size_t k, const PatchStart& from, const Parameter<2>& lower, const Parameter<2>& upper)
+      {
+        bool settled = false;
+        this->Patches[k].search->search_from(query, from,
+          [&](const PatchFoot& foot)
+          {
+            const Candidate candidate{ k, foot };
+            found(candidate);
+            settled =
+              settled || (!from.simple && this->settles(query, candidate, from, lower, upper));
+          });
+        return settled;
+      });
+  }
+  if (splines && splines->complete())
+  {
+    return;
+  }
+  for (const std::size_t k : this->by_bound(query, limit()))
+  {
+    if ((splines && splines->takes_part(k)) || this->Patches[k].search->bound(query) > limit())
+    {
+      continue;
+    }
+    PatchQuery here = query;
+    if (start.face < 0 || start.face == this->Patches[k].face)
+    {
+      here.start = start.parameter;
+      here.start(1) = this->Patches[k].patch->curve ? 0.0 : here.start(1);
+    }
+    this->Patches[k].search->search(here, [&](const PatchFoot& foot) { found({ k, foot }); });
+  }
+}
+
 /// The best foot first, then those that tie with it.
 std::vector<Candidate> PointInverter::Implementation::nearest(
   const Vector3& point, const Start& start, Sought sought) const
@@ -52,27 +113,16 @@ std::vector<Candidate> PointInverter::Implementation::nearest(
   std::vector<Candidate> kept;
   double best = this->Options.maximum_distance;
   auto limit = [&] { return best + tie_tolerance(best, this->Size); };
-  PatchQuery bounds;
-  bounds.point = point;
-  for (const std::size_t k : this->by_bound(bounds, best))
-  {
-    PatchQuery query = this->query(point, start, k);
-    query.sought = sought;
-    if (this->Patches[k].search->bound(query) > limit())
+  this->search(this->query(point, sought), start, limit,
+    [&](const Candidate& candidate)
     {
-      continue;
-    }
-    this->Patches[k].search->search(query, limit,
-      [&](const PatchFoot& foot)
+      const double distance = candidate.foot.distance;
+      if (distance <= limit() && distance <= this->Options.maximum_distance)
       {
-        if (foot.distance > limit() || foot.distance > this->Options.maximum_distance)
-        {
-          return;
-        }
-        best = std::min(best, foot.distance);
-        kept.push_back({ k, foot });
-      });
-  }
+        best = std::min(best, distance);
+        kept.push_back(candidate);
+      }
+    });
   kept.erase(std::remove_if(kept.begin(), kept.end(),
                [&](const Candidate& candidate) { return candidate.foot.distance > limit(); }),
     kept.end());
@@ -109,19 +159,10 @@ Foot PointInverter::Implementation::nearest_certified(
     feet.push_back(
       { patch, this->Patches[patch].search->refine(point, certified.patch_foot(answer.feet[k])) });
   }
-  bool is_certified = answer.certified;
-  if (!answer.certified)
+  const bool is_certified = answer.certified && certified.complete();
+  if (!is_certified)
   {
-    // No proof: descents on whole patches, from every cell that may hold something nearer.
-    for (const Candidate& candidate : this->nearest(point, {}, Sought::Minimum))
-    {
-      feet.push_back(candidate);
-    }
-  }
-  else if (!certified.complete())
-  {
-    is_certified = false;
-    this->add_uncertified(point, feet);
+    this->add_uncertified(point, !answer.certified, feet);
   }
   if (feet.empty())
   {
@@ -134,27 +175,39 @@ Foot PointInverter::Implementation::nearest_certified(
   return foot;
 }
 
-/// Adds the feet on patches that are no splines, as far as they are as near as what there is.
+/// Adds feet where nothing is proved, as far as they are as near as what there is: on patches that
+/// are no splines and, if asked for, on splines by descents on whole patches from all over the
+/// pieces that may hold something nearer.
 void PointInverter::Implementation::add_uncertified(
-  const Vector3& point, std::vector<Candidate>& feet) const
+  const Vector3& point, bool on_splines, std::vector<Candidate>& feet) const
 {
+  const CertifiedFeet& certified = *this->Prepared->certified();
   double best = feet.empty() ? this->Options.maximum_distance : feet.front().foot.distance;
-  auto limit = [&] { return best + tie_tolerance(best, this->Size); };
+  const auto limit = [&] { return best + tie_tolerance(best, this->Size); };
+  const auto found = [&](std::size_t k, const PatchFoot& foot)
+  {
+    if (foot.distance <= limit() && foot.distance <= this->Options.maximum_distance)
+    {
+      best = std::min(best, foot.distance);
+      feet.push_back({ k, foot });
+    }
+  };
+  const PatchQuery query = this->query(point, Sought::Minimum);
+  if (on_splines)
+  {
+    certified.visit_pieces(point, limit,
+      [&](std::size_t k, const PatchStart& start)
+      {
+        this->Patches[k].search->search_from(
+          query, start, [&](const PatchFoot& foot) { found(k, foot); });
+      });
+  }
   for (std::size_t k = 0; k < this->Patches.size(); ++k)
   {
-    if (this->Prepared->certified()->takes_part(k))
+    if (!certified.takes_part(k))
     {
-      continue;
+      this->Patches[k].search->search(query, [&](const PatchFoot& foot) { found(k, foot); });
     }
-    this->Patches[k].search->search(this->query(point, {}, k), limit,
-      [&](const PatchFoot& foot)
-      {
-        if (foot.distance <= limit() && foot.distance <= this->Options.maximum_distance)
-        {
-          best = std::min(best, foot.distance);
-          feet.push_back({ k, foot });
-        }
-      });
   }
   feet.erase(std::remove_if(feet.begin(), feet.end(),
                [&](const Candidate& candidate) { return candidate.foot.distance > limit(); }),

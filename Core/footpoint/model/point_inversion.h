@@ -52,8 +52,9 @@ struct Foot
 {
   Status status = Status::InvalidPoint;
   FootType type = FootType::Interior; ///< meaningless at status 3 and 4, as are the numbers below
-  bool isolated = true;               ///< false: a continuum of feet is equally near
-  int iterations = 0;                 ///< of the local solver, for the foot that was kept
+  /// False: a continuum of feet is equally near; along a direction: the line lies in the geometry.
+  bool isolated = true;
+  int iterations = 0; ///< of the local solver, for the foot that was kept
   int face = -1;
   bool on_curve = false;
   Parameter<2> parameter = Parameter<2>::Constant(NAN); ///< geometry's own domain; curves: v = 0
@@ -85,7 +86,7 @@ public:
   /// \throw std::invalid_argument as the constructor
   PointInverter with_options(const InversionOptions& options) const;
   /// Whether queries with these options find everything built: the seed resolution has to be the
-  /// same, and the certified search there where they need it (Search::Global without a direction).
+  /// same, and the Bézier pieces there where they need them (Search::Global).
   bool is_prepared_for(const InversionOptions& options) const;
 
   const Model& model() const;

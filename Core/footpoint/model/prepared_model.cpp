@@ -10,12 +10,6 @@ namespace footpoint
 namespace
 {
 
-/// Cells of all patches together, and the limits for one patch: close boxes on a single surface,
-/// bounded memory on a model of thousands.
-constexpr std::size_t kCellsOfModel = 65536;
-constexpr std::size_t kMaximumCells = 1024;
-constexpr std::size_t kMinimumCells = 16;
-
 std::size_t number_of_patches(const Model& model)
 {
   std::size_t count = 0;
@@ -47,20 +41,19 @@ void check_method(const Model& model, Method method)
 PreparedParts::PreparedParts(const InversionOptions& options)
   : seed_resolution(options.seeding.resolution)
 {
-  this->certificate =
-    options.search == Search::Global && options.fixed_direction.isZero(0.0);
+  this->pieces = options.search == Search::Global;
 }
 
 bool PreparedParts::include(const PreparedParts& others) const
 {
   return this->seed_resolution == others.seed_resolution &&
-    this->certificate >= others.certificate;
+    this->pieces >= others.pieces;
 }
 
 PreparedParts PreparedParts::joined_with(const PreparedParts& others) const
 {
   PreparedParts result = others;
-  result.certificate = this->certificate || others.certificate;
+  result.pieces = this->pieces || others.pieces;
   return result;
 }
 
@@ -73,8 +66,6 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   {
     return;
   }
-  const int cells =
-    static_cast<int>(std::clamp(kCellsOfModel / count, kMinimumCells, kMaximumCells));
   SeedOptions seeding;
   seeding.resolution = parts.seed_resolution;
   Box box;
@@ -88,15 +79,15 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
       const Patch& patch = face.patches[i];
       PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], nullptr };
       prepared.search = patch.curve
-        ? make_patch_search<1>(patch.curve, SolverOptions{}, seeding, cells)
-        : make_patch_search<2>(patch.surface, SolverOptions{}, seeding, cells);
+        ? make_patch_search<1>(patch.curve, SolverOptions{}, seeding)
+        : make_patch_search<2>(patch.surface, SolverOptions{}, seeding);
       box.add(prepared.search->box());
       members.push_back({ &patch, prepared.face, face.reversed, shared[i] });
       this->Patches.push_back(std::move(prepared));
     }
   }
   this->Size = (box.upper - box.lower).stableNorm();
-  if (parts.certificate)
+  if (parts.pieces)
   {
     const Patch& first = *this->Patches.front().patch;
     const Vector3 own = first.curve ? first.curve->centre() : first.surface->centre();

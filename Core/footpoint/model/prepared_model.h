@@ -25,7 +25,7 @@ struct PreparedPatch
 struct PreparedParts
 {
   int seed_resolution = SeedOptions{}.resolution;
-  bool certificate = false; ///< the certified search, for the nearest point
+  bool pieces = false; ///< the Bézier pieces of all splines and their tree, for Search::Global
 
   PreparedParts() = default;
   explicit PreparedParts(const InversionOptions& options);

@@ -23,6 +23,10 @@ constexpr double kSameParameter = 1e-7;
 /// parameters.
 constexpr double kSamePoint = 1e-9;
 
+/// A line meets a geometry where it passes closer than this fraction of the size: the square root
+/// of rounding would be the limit where it only grazes, a transversal meeting is exact.
+constexpr double kMeets = 1e-10;
+
 /// Order of two local parameters, equal ones by the next direction.
 template <int N>
 bool is_lower_parameter(

@@ -86,8 +86,10 @@ public:
   explicit CertifiedSearch(DistanceForms forms);
 
   bool empty() const { return this->number_of_pieces() == 0; }
-  const Piece& piece(std::int32_t k) const { return this->Structure.forms.pieces()[k]; }
-  std::size_t number_of_pieces() const { return this->Structure.forms.pieces().size(); }
+  const Piece& piece(std::int32_t k) const { return this->forms().pieces()[k]; }
+  const DistanceForms& forms() const { return this->Structure.forms; }
+  const BoxTree& tree() const { return this->Structure.tree; }
+  std::size_t number_of_pieces() const { return this->forms().pieces().size(); }
 
   void find(const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const;
 

@@ -4,6 +4,7 @@
 #include "footpoint/search/better_foot.h"
 #include "footpoint/search/flattened_geometry.h"
 #include "footpoint/search/stationary_search.h"
+#include "footpoint/solvers/domain_walk.h"
 #include "footpoint/solvers/foot_conditions.h"
 
 #include "footpoint/splines/curve.h"
@@ -13,7 +14,7 @@
 
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <optional>
 
 namespace footpoint
 {
@@ -23,17 +24,24 @@ namespace
 /// Geometry that is no spline has no boxes: a dense grid takes the place of the cells.
 constexpr SeedOptions kDenseSeeds{ 31, 16 };
 
-/// A line meets the geometry where it passes closer than this fraction of the size: the square root
-/// of rounding would be the limit where it only grazes, a transversal meeting is exact.
-constexpr double kMeets = 1e-10;
-
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
-
 /// Scaled eigenvalue of the Hessian below which a foot may be one of a continuum, how far off (as a
 /// fraction of the size) another one is looked for, and how equal its distance has to be.
 constexpr double kFlat = 1e-6;
 constexpr double kProbe = 1e-2;
 constexpr double kEqualDistance = 1e-12;
+
+/// Scaled eigenvalue of the Hessian below which two minima near each other differ by less than a
+/// tie in their distance: E = ¼s⁴ − ½λs² has depth ¼λ².
+constexpr double kFlatToRounding = 1e-7;
+
+/// Sine between a line and the geometry below which it touches: it then is closer than kMeets to
+/// the geometry over as long a way.
+constexpr double kTouching = 3e-5;
+
+/// A meeting that many probes away is another point of the line; no probe is a longer part of the
+/// domain.
+constexpr double kApart = 0.05;
+constexpr double kLongestStep = 0.1;
 
 /// Where on the way between two feet the distance is looked at: three places at no simple ratio, so
 /// that equally spaced minima of equal distance do not pass for one.
@@ -61,12 +69,10 @@ Box control_box(const ParametricSurface& geometry)
 template <int N>
 struct PatchParts
 {
-  PatchParts(
-    std::shared_ptr<const ParametricGeometry<N>> geometry, int seed_resolution, int minimum_cells)
+  PatchParts(std::shared_ptr<const ParametricGeometry<N>> geometry, int seed_resolution)
     : Shared(std::move(geometry))
     , Bounds(control_box(*this->Shared))
     , Spline((this->Bounds.lower.array() <= this->Bounds.upper.array()).all())
-    , MinimumCells(minimum_cells)
     , Seeds(*this->Shared, SeedOptions{ seed_resolution, 1 })
     , Dense(*this->Shared, this->Spline ? SeedOptions{ 2, 1 } : kDenseSeeds)
   {
@@ -79,21 +85,8 @@ struct PatchParts
   std::shared_ptr<const ParametricGeometry<N>> Shared;
   Box Bounds;  ///< of the control points, of samples where there are none
   bool Spline; ///< Bounds holds the geometry
-  int MinimumCells;
   SeededSearch<N> Seeds;
   SeededSearch<N> Dense;
-
-  /// Built when a query first needs them: most never do.
-  const CellTree<N>& cells() const
-  {
-    std::call_once(this->CellsOnce,
-      [this] { this->Cells = std::make_unique<CellTree<N>>(*this->Shared, this->MinimumCells); });
-    return *this->Cells;
-  }
-
-private:
-  mutable std::once_flag CellsOnce;
-  mutable std::unique_ptr<const CellTree<N>> Cells;
 };
 
 template <int N>
@@ -120,24 +113,35 @@ public:
 
   double bound(const PatchQuery& query) const override
   {
-    return this->Spline ? this->cell_bound(this->local(query.point), query)(this->Bounds) : 0.0;
+    if (!this->Spline)
+    {
+      return 0.0;
+    }
+    const Vector3 at = this->local(query.point);
+    return query.sought == Sought::Intersection ? this->distance_of_line(at, query.line)
+                                                : this->Bounds.distance(at);
   }
 
-  void search(const PatchQuery& query, const std::function<double()>& limit,
+  void search(
+    const PatchQuery& query, const std::function<void(const PatchFoot&)>& found) const override;
+
+  void search_from(const PatchQuery& query, const PatchStart& start,
     const std::function<void(const PatchFoot&)>& found) const override
   {
     switch (query.sought)
     {
       case Sought::Minimum:
-        return this->minima(query, limit, found);
+        return this->minimum(query, start, found);
       case Sought::Orthogonal:
-        return this->orthogonal_feet(query, limit, found);
+        return this->orthogonal_foot(query, start, found);
       case Sought::Intersection:
-        return this->intersections(query, limit, found);
+        return this->intersection(query, start, found);
     }
   }
 
   bool isolated(const Vector3& point, const PatchFoot& foot) const override;
+
+  bool flat(const Vector3& point, const PatchFoot& foot) const override;
 
   PatchFoot refine(const Vector3& point, const PatchFoot& foot) const override
   {
@@ -148,8 +152,8 @@ public:
       this->Geometry, this->local(point), Parameter<N>(foot.local.head<N>()), solver);
     const Vector3 query = this->local(point);
     const FootConditions<N> conditions(this->Geometry, this->Solver);
-    const Frame<N> here = make_frame<N>(
-      this->Geometry, query, foot.local.head<N>(), foot.sides.head<N>());
+    const Frame<N> here =
+      make_frame<N>(this->Geometry, query, foot.local.head<N>(), foot.sides.head<N>());
     const Frame<N> there = make_frame<N>(this->Geometry, query, found.parameter, found.sides);
     const double tie = tie_tolerance(foot.distance, this->Geometry.size());
     if (found.distance < foot.distance ||
@@ -181,6 +185,9 @@ public:
   }
 
   double size() const override { return this->Geometry.size(); }
+
+  bool near(const PatchFoot& foot, const PatchStart& start, const Parameter<2>& lower,
+    const Parameter<2>& upper) const override;
 
   bool same(const PatchFoot& a, const PatchFoot& b) const override;
 
@@ -215,70 +222,21 @@ private:
     return left;
   }
 
-  std::function<double(const Box&)> cell_bound(const Vector3& query, const PatchQuery& asked) const
+  /// From the sphere around the box.
+  double distance_of_line(const Vector3& point, const Vector3& line) const
   {
-    if (asked.sought != Sought::Intersection)
-    {
-      return [query](const Box& box) { return box.distance(query); };
-    }
-    // The line's distance from the box, by the sphere around the box.
-    const Vector3 line = asked.line;
-    return [query, line](const Box& box)
-    {
-      const Vector3 to_middle = 0.5 * (box.lower + box.upper) - query;
-      const double across = (to_middle - line * line.dot(to_middle)).norm();
-      return std::max(0.0, across - 0.5 * (box.upper - box.lower).norm());
-    };
+    const Vector3 to_middle = 0.5 * (this->Bounds.lower + this->Bounds.upper) - point;
+    const double across = (to_middle - line * line.dot(to_middle)).norm();
+    return std::max(0.0, across - 0.5 * (this->Bounds.upper - this->Bounds.lower).norm());
   }
 
-  /// The starts that a query is worth: the given one, then cells or samples by their bound. visit
-  /// also gets the diagonal of what the start stands for, infinity where that is not known.
-  void for_each_start(const PatchQuery& query, const std::function<double()>& limit,
-    const std::function<void(const Parameter<N>&, double)>& visit) const
-  {
-    const Vector3 at = this->local(query.point);
-    const Parameter<N> given = this->Geometry.to_local(query.start.head<N>());
-    const bool has_start = given.allFinite();
-    if (has_start)
-    {
-      visit(given, kUnknown);
-    }
-    if (query.search == Search::Local && has_start)
-    {
-      return;
-    }
-    if (query.search == Search::Global && this->Spline)
-    {
-      this->Parts->cells().traverse(this->cell_bound(at, query), limit, visit);
-      return;
-    }
-    const bool dense = query.search == Search::Global;
-    const SeededSearch<N>& seeds = dense ? this->Dense : this->Seeds;
-    if (query.sought != Sought::Minimum && query.search != Search::Local)
-    {
-      // Maxima and intersections need not be near a sampled minimum.
-      for (Eigen::Index k = 0; k < seeds.number_of_samples(); ++k)
-      {
-        visit(seeds.parameter(k), kUnknown);
-      }
-      return;
-    }
-    const int count = query.search == Search::Local
-      ? 1
-      : (dense ? kDenseSeeds.number_of_seeds : this->NumberOfSeeds);
-    for (const Parameter<N>& seed : seeds.seeds(at, count))
-    {
-      visit(seed, kUnknown);
-    }
-  }
-
-  /// The solver's options for a start that stands for a cell of a given diagonal.
-  SolverOptions nearby(double reach) const
+  /// The solver's options for a start that stands for a cell of a given reach.
+  SolverOptions nearby(const PatchStart& start) const
   {
     SolverOptions result = this->Solver;
-    if (std::isfinite(reach) && this->Geometry.size() > 0.0)
+    if (std::isfinite(start.reach) && !start.pole && this->Geometry.size() > 0.0)
     {
-      result.first_trust_radius = reach / this->Geometry.size();
+      result.first_trust_radius = start.reach / this->Geometry.size();
       result.stop_at_borders = true;
     }
     return result;
@@ -299,62 +257,55 @@ private:
     return result;
   }
 
-  void minima(const PatchQuery& query, const std::function<double()>& limit,
+  void minimum(const PatchQuery& query, const PatchStart& start,
+    const std::function<void(const PatchFoot&)>& found) const
+  {
+    found(this->lift(query.point,
+      this->Seeds.find_from(
+        this->local(query.point), Parameter<N>(start.local.head<N>()), this->nearby(start))));
+  }
+
+  void orthogonal_foot(const PatchQuery& query, const PatchStart& start,
     const std::function<void(const PatchFoot&)>& found) const
   {
     const Vector3 at = this->local(query.point);
-    this->for_each_start(query, limit,
-      [&](const Parameter<N>& start, double reach)
+    const Parameter<N> t = start.local.head<N>();
+    if (!start.simple)
+    {
+      const LocalFoot<N> minimum = this->Seeds.find_from(at, t, this->nearby(start));
+      if (is_orthogonal<N>(this->Geometry, at, minimum, this->Solver))
       {
-        const SolverOptions solver = this->nearby(reach);
-        found(this->lift(query.point, this->Seeds.find_from(at, start, solver)));
-      });
+        found(this->lift(query.point, minimum));
+      }
+    }
+    if (const auto foot = find_orthogonal_foot<N>(this->Geometry, at, t, this->Solver))
+    {
+      found(this->lift(query.point, *foot));
+    }
   }
 
-  void orthogonal_feet(const PatchQuery& query, const std::function<double()>& limit,
-    const std::function<void(const PatchFoot&)>& found) const
-  {
-    const Vector3 at = this->local(query.point);
-    this->for_each_start(query, limit,
-      [&](const Parameter<N>& start, double reach)
-      {
-        const LocalFoot<N> minimum = this->Seeds.find_from(at, start, this->nearby(reach));
-        if (is_orthogonal<N>(this->Geometry, at, minimum, this->Solver))
-        {
-          found(this->lift(query.point, minimum));
-        }
-        if (const auto foot = find_orthogonal_foot<N>(this->Geometry, at, start, this->Solver))
-        {
-          found(this->lift(query.point, *foot));
-        }
-      });
-  }
+  void intersection(const PatchQuery& query, const PatchStart& start,
+    const std::function<void(const PatchFoot&)>& found) const;
 
-  void intersections(const PatchQuery& query, const std::function<double()>&,
-    const std::function<void(const PatchFoot&)>& found) const
+  /// A point of the geometry as a meeting, where the line passes through it.
+  std::optional<PatchFoot> meeting(const PatchQuery& query, LocalFoot<N> foot) const;
+
+  /// Sets whether a line touches the geometry at a meeting, and whether it lies in it near there:
+  /// it runs along it, and meets it again a little way off.
+  void look_along(const PatchQuery& query, const FlattenedGeometry<N>& flat, PatchFoot& foot) const;
+  bool meets_again(const PatchQuery& query, const FlattenedGeometry<N>& flat, const PatchFoot& foot,
+    const Parameter<N>& step) const;
+
+  /// The Hessian of E at a foot, in units of |S_i|: directions that a border holds, or in which S
+  /// stands still, count 1.
+  struct Curvatures
   {
-    const FlattenedGeometry<N> flat(this->Geometry, query.line);
-    const Vector3 at = flat.flatten(this->local(query.point));
-    const double meets = kMeets * this->Geometry.size();
-    this->for_each_start(
-      query, [meets] { return meets; },
-      [&](const Parameter<N>& start, double reach)
-      {
-        LocalFoot<N> foot = find_local_foot<N>(flat, at, start, this->nearby(reach));
-        if (foot.distance > meets)
-        {
-          return;
-        }
-        foot.point = this->Geometry.jet(foot.parameter, foot.sides, 0).point;
-        foot.distance = std::abs((foot.point - this->local(query.point)).dot(query.line));
-        foot.converged = true;
-        // Of the geometry itself; the flattened one stands still wherever the line touches it.
-        const FootConditions<N> conditions(this->Geometry, this->Solver);
-        foot.type = conditions.classify(
-          make_frame<N>(this->Geometry, foot.point, foot.parameter, foot.sides), foot.point);
-        found(this->lift(query.point, foot));
-      });
-  }
+    Parameter<N> values;
+    Eigen::Matrix<double, N, N> directions;
+    Parameter<N> scale; ///< 1 / |S_i|, 0 where S stands still
+    Jet<N> jet;
+  };
+  Curvatures curvatures(const Vector3& point, const PatchFoot& foot) const;
 
   std::shared_ptr<const PatchParts<N>> Parts;
   const ParametricGeometry<N>& Geometry;
@@ -365,6 +316,167 @@ private:
   const SeededSearch<N>& Seeds;
   const SeededSearch<N>& Dense;
 };
+
+/// From the given start, then from samples.
+template <int N>
+void PatchSearchOf<N>::search(
+  const PatchQuery& query, const std::function<void(const PatchFoot&)>& found) const
+{
+  auto from = [&](const Parameter<N>& t)
+  {
+    PatchStart start{ Parameter<2>::Zero() };
+    start.local.template head<N>() = t;
+    this->search_from(query, start, found);
+  };
+  const Parameter<N> given = this->Geometry.to_local(query.start.head<N>());
+  const bool has_start = given.allFinite();
+  if (has_start)
+  {
+    from(given);
+  }
+  if (query.search == Search::Local && has_start)
+  {
+    return;
+  }
+  const bool dense = query.search == Search::Global;
+  const SeededSearch<N>& seeds = dense ? this->Dense : this->Seeds;
+  if (query.sought != Sought::Minimum && query.search != Search::Local)
+  {
+    // Maxima and intersections need not be near a sampled minimum.
+    for (Eigen::Index k = 0; k < seeds.number_of_samples(); ++k)
+    {
+      from(seeds.parameter(k));
+    }
+    return;
+  }
+  const int count =
+    query.search == Search::Local ? 1 : (dense ? kDenseSeeds.number_of_seeds : this->NumberOfSeeds);
+  for (const Parameter<N>& seed : seeds.seeds(this->local(query.point), count))
+  {
+    from(seed);
+  }
+}
+
+template <int N>
+void PatchSearchOf<N>::intersection(const PatchQuery& query, const PatchStart& start,
+  const std::function<void(const PatchFoot&)>& found) const
+{
+  const FlattenedGeometry<N> flat(this->Geometry, query.line);
+  const Vector3 at = flat.flatten(this->local(query.point));
+  const LocalFoot<N> foot =
+    find_local_foot<N>(flat, at, Parameter<N>(start.local.head<N>()), this->nearby(start));
+  std::optional<PatchFoot> met = this->meeting(query, foot);
+  if (!met)
+  {
+    return;
+  }
+  this->look_along(query, flat, *met);
+  found(*met);
+  if (!met->isolated)
+  {
+    // Of the line's part in the geometry the point nearest to the query.
+    const LocalFoot<N> nearest =
+      find_local_foot<N>(this->Geometry, this->local(query.point), foot.parameter, this->Solver);
+    if ((met = this->meeting(query, nearest)))
+    {
+      met->isolated = false;
+      found(*met);
+    }
+  }
+}
+
+template <int N>
+std::optional<PatchFoot> PatchSearchOf<N>::meeting(const PatchQuery& query, LocalFoot<N> foot) const
+{
+  const Vector3 at = this->local(query.point);
+  foot.point = this->Geometry.jet(foot.parameter, foot.sides, 0).point;
+  const double along = (foot.point - at).dot(query.line);
+  if ((foot.point - at - along * query.line).norm() > kMeets * this->Geometry.size())
+  {
+    return std::nullopt;
+  }
+  foot.distance = std::abs(along);
+  foot.converged = true;
+  // Of the geometry itself; the flattened one stands still wherever the line touches it.
+  const FootConditions<N> conditions(this->Geometry, this->Solver);
+  foot.type = conditions.classify(
+    make_frame<N>(this->Geometry, foot.point, foot.parameter, foot.sides), foot.point);
+  return this->lift(query.point, foot);
+}
+
+template <int N>
+void PatchSearchOf<N>::look_along(
+  const PatchQuery& query, const FlattenedGeometry<N>& flat, PatchFoot& foot) const
+{
+  const DomainWalk<N> walk(this->Geometry);
+  const typename DomainWalk<N>::Place place{ foot.local.head<N>(), foot.sides.head<N>() };
+  std::vector<typename DomainWalk<N>::Place> places = walk.neighbours(place);
+  places.push_back(place);
+  for (const auto& here : places)
+  {
+    const Jet<N> jet = this->Geometry.jet(here.t, here.sides, 1);
+    const Jet<N> seen = flat.jet(here.t, here.sides, 1);
+    Parameter<N> scale;
+    for (int i = 0; i < N; ++i)
+    {
+      // Where S_i vanishes, a step is a part of the domain.
+      const double longest = kLongestStep * this->Geometry.direction(i).length;
+      scale(i) = 1.0 / std::max(jet.first.col(i).norm(), kProbe * this->Geometry.size() / longest);
+    }
+    const Eigen::Matrix<double, 3, N> tangents = seen.first * scale.asDiagonal();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen;
+    eigen.computeDirect(tangents.transpose() * tangents);
+    const double sine = eigen.eigenvalues()(0);
+    foot.touches = foot.touches || sine <= kTouching * kTouching;
+    if (sine <= kFlat)
+    {
+      const Parameter<N> step = scale.cwiseProduct(eigen.eigenvectors().col(0));
+      foot.isolated = foot.isolated && !this->meets_again(query, flat, foot, step);
+    }
+  }
+}
+
+template <int N>
+bool PatchSearchOf<N>::meets_again(const PatchQuery& query, const FlattenedGeometry<N>& flat,
+  const PatchFoot& foot, const Parameter<N>& step) const
+{
+  const double size = this->Geometry.size();
+  const Vector3 at = flat.flatten(this->local(query.point));
+  const Parameter<N> t = foot.local.head<N>();
+  for (const double way : { -kProbe * size, kProbe * size })
+  {
+    const LocalFoot<N> other =
+      find_local_foot<N>(flat, at, Parameter<N>(t + way * step), this->Solver);
+    const Vector3 there = this->Geometry.jet(other.parameter, other.sides, 0).point;
+    const double apart = (there - foot.offset - this->local(query.point)).norm();
+    if (other.distance <= kMeets * size && apart > kApart * kProbe * size &&
+      apart < 2.0 * kProbe * size)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <int N>
+bool PatchSearchOf<N>::near(const PatchFoot& foot, const PatchStart& start,
+  const Parameter<2>& lower, const Parameter<2>& upper) const
+{
+  if (foot.type == FootType::Degenerate)
+  {
+    const Vector3 from = this->Geometry.point(Parameter<N>(start.local.head<N>()));
+    return (foot.point - this->Geometry.centre() - from).norm() <= start.reach;
+  }
+  bool result = true;
+  for (int i = 0; i < N; ++i)
+  {
+    const Direction& direction = this->Geometry.direction(i);
+    const double apart = std::abs(foot.local(i) - 0.5 * (lower(i) + upper(i)));
+    const double across = direction.closed ? direction.length - apart : apart;
+    result = result && std::min(apart, across) <= upper(i) - lower(i);
+  }
+  return result;
+}
 
 template <int N>
 bool PatchSearchOf<N>::same(const PatchFoot& a, const PatchFoot& b) const
@@ -389,19 +501,18 @@ bool PatchSearchOf<N>::same(const PatchFoot& a, const PatchFoot& b) const
   return !this->is_left_of_gap(a, b) && !this->is_left_of_gap(b, a);
 }
 
-/// Where E is flat to second order along a direction, a descent is started a little way off on
-/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
-/// farther away).
 template <int N>
-bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
+typename PatchSearchOf<N>::Curvatures PatchSearchOf<N>::curvatures(
+  const Vector3& point, const PatchFoot& foot) const
 {
-  const Vector3 query = this->local(point);
-  const Parameter<N> t = foot.local.head<N>();
-  const Frame<N> frame = make_frame<N>(this->Geometry, query, t, foot.sides.head<N>());
+  const Frame<N> frame =
+    make_frame<N>(this->Geometry, this->local(point), foot.local.head<N>(), foot.sides.head<N>());
   const FootConditions<N> conditions(this->Geometry, this->Solver);
   const Eigen::Matrix<bool, N, 1> free = conditions.free(frame);
   typename Frame<N>::Matrix scaled = frame.hessian();
-  Parameter<N> scale = Parameter<N>::Zero();
+  Curvatures result;
+  Parameter<N>& scale = result.scale;
+  scale.setZero();
   for (int i = 0; i < N; ++i)
   {
     if (!conditions.stalled(frame, i))
@@ -424,29 +535,52 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
   }
   Eigen::SelfAdjointEigenSolver<typename Frame<N>::Matrix> eigen;
   eigen.computeDirect(scaled);
+  result.values = eigen.eigenvalues();
+  result.directions = eigen.eigenvectors();
+  result.jet = frame.jet;
+  return result;
+}
+
+/// Where E is flat to second order along a direction, a descent is started a little way off on
+/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
+/// farther away).
+template <int N>
+bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
+{
+  const Curvatures here = this->curvatures(point, foot);
+  const Parameter<N> t = foot.local.head<N>();
   const double size = this->Geometry.size();
   for (int k = 0; k < N; ++k)
   {
-    if (eigen.eigenvalues()(k) > kFlat)
+    if (here.values(k) > kFlat)
     {
       continue;
     }
-    // Scaled by 1 / |S_i|, so that the step has about the length of the probe in space.
-    const Parameter<N> step = scale.cwiseProduct(eigen.eigenvectors().col(k)) * (kProbe * size);
+    // As long in space as the probe; S_u and S_v need not be orthogonal.
+    Parameter<N> step = here.scale.cwiseProduct(here.directions.col(k));
+    const double length = (here.jet.first * step).norm();
+    step *= kProbe * size / (length > 0.0 ? length : 1.0);
     for (const double sign : { -1.0, 1.0 })
     {
-      const LocalFoot<N> other =
-        find_local_foot<N>(this->Geometry, query, Parameter<N>(t + sign * step), this->Solver);
-      const bool elsewhere = (other.point - frame.jet.point).norm() > 0.5 * kProbe * size;
+      const LocalFoot<N> other = find_local_foot<N>(
+        this->Geometry, this->local(point), Parameter<N>(t + sign * step), this->Solver);
+      const double apart = (other.point - here.jet.point).norm();
       const double difference = std::abs(other.distance - foot.distance);
-      if (elsewhere && difference <= kEqualDistance * size && other.converged &&
-        (other.point - frame.jet.point).norm() < 2.0 * kProbe * size)
+      if (apart > 0.5 * kProbe * size && apart < 2.0 * kProbe * size &&
+        difference <= kEqualDistance * size && other.converged)
       {
         return false;
       }
     }
   }
   return true;
+}
+
+template <int N>
+bool PatchSearchOf<N>::flat(const Vector3& point, const PatchFoot& foot) const
+{
+  return foot.type == FootType::Degenerate ||
+    this->curvatures(point, foot).values.cwiseAbs().minCoeff() <= kFlatToRounding;
 }
 
 template <int N>
@@ -485,16 +619,15 @@ bool PatchSearchOf<N>::level(const Vector3& point, const PatchFoot& a, const Pat
 template <int N>
 std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
-  const SeedOptions& seeding, int minimum_cells)
+  const SeedOptions& seeding)
 {
-  auto parts =
-    std::make_shared<const PatchParts<N>>(std::move(geometry), seeding.resolution, minimum_cells);
+  auto parts = std::make_shared<const PatchParts<N>>(std::move(geometry), seeding.resolution);
   return std::make_unique<PatchSearchOf<N>>(std::move(parts), solver, seeding.number_of_seeds);
 }
 
 template std::unique_ptr<PatchSearch> make_patch_search<1>(
-  std::shared_ptr<const ParametricCurve>, const SolverOptions&, const SeedOptions&, int);
+  std::shared_ptr<const ParametricCurve>, const SolverOptions&, const SeedOptions&);
 template std::unique_ptr<PatchSearch> make_patch_search<2>(
-  std::shared_ptr<const ParametricSurface>, const SolverOptions&, const SeedOptions&, int);
+  std::shared_ptr<const ParametricSurface>, const SolverOptions&, const SeedOptions&);
 
 } // namespace footpoint

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "footpoint/search/cell_tree.h"
+#include "footpoint/search/box.h"
 #include "footpoint/search/seeded_search.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace footpoint
@@ -13,7 +14,7 @@ namespace footpoint
 /// How the starts of the local solver are found.
 enum class Search
 {
-  Global, ///< from every Bézier piece whose bounding box may hold a nearer point
+  Global, ///< splines: in all Bézier pieces; other geometry: from a dense grid of samples
   Seeded, ///< from the best samples of a coarse grid on every face
   Local   ///< from one start: the given one, else the best sample
 };
@@ -48,6 +49,19 @@ struct PatchFoot
   bool converged = false;
   FootType type = FootType::Interior;
   int iterations = 0;
+  bool isolated = true; ///< of a meeting: false where the line lies in the geometry …
+  bool touches = false; ///< … and true where it is tangent to it, as far as can be told
+};
+
+/// Where to look for a foot on a patch.
+struct PatchStart
+{
+  Parameter<2> local; ///< local parameters; curves have v = 0
+  /// How far what the start stands for reaches.
+  double reach = std::numeric_limits<double>::infinity();
+  bool simple = false; ///< the start is what is sought, up to rounding
+  double part = 1.0;   ///< of the piece, by parameters, that it stands for
+  bool pole = false;   ///< at a collapsed side, where the way down may lead through any column
 };
 
 /// One curve or surface prepared for queries. Built once; const and thread-safe.
@@ -63,13 +77,21 @@ public:
   /// A lower bound of the distance from a point (from a line, where the query has one).
   virtual double bound(const PatchQuery& query) const = 0;
 
-  /// Calls found(foot) for the feet that descents from all eligible starts end in (the same foot
-  /// more than once). Starts whose bound exceeds limit() are passed over; found may lower it.
-  virtual void search(const PatchQuery& query, const std::function<double()>& limit,
+  /// Calls found(foot) for the feet that descents from the given start and from samples end in (the
+  /// same foot more than once).
+  virtual void search(
+    const PatchQuery& query, const std::function<void(const PatchFoot&)>& found) const = 0;
+
+  /// The same from one start.
+  virtual void search_from(const PatchQuery& query, const PatchStart& start,
     const std::function<void(const PatchFoot&)>& found) const = 0;
 
   /// Whether the foot is the only one near it: false on a continuum of equally near points.
   virtual bool isolated(const Vector3& point, const PatchFoot& foot) const = 0;
+
+  /// Whether the distance is so flat near the foot, or the geometry so degenerate, that no other
+  /// foot near it can be told from it.
+  virtual bool flat(const Vector3& point, const PatchFoot& foot) const = 0;
 
   /// Whether r is orthogonal to the geometry on all sides of the foot.
   virtual bool orthogonal(const Vector3& point, const PatchFoot& foot) const = 0;
@@ -84,6 +106,11 @@ public:
   /// Diagonal of the bounding box of the control points.
   virtual double size() const = 0;
 
+  /// Whether a foot lies in a part of the patch or no farther beside it than half its width; at a
+  /// pole, whether it is no farther from the start than this reaches.
+  virtual bool near(const PatchFoot& foot, const PatchStart& start, const Parameter<2>& lower,
+    const Parameter<2>& upper) const = 0;
+
   /// Whether two feet are one, by their parameters.
   virtual bool same(const PatchFoot& a, const PatchFoot& b) const = 0;
 
@@ -95,10 +122,9 @@ public:
   virtual bool lower(const PatchFoot& a, const PatchFoot& b) const = 0;
 };
 
-/// \param minimum_cells see CellTree
 template <int N>
 std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
-  const SeedOptions& seeding, int minimum_cells);
+  const SeedOptions& seeding);
 
 } // namespace footpoint

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "footpoint/search/cell_tree.h"
+#include "footpoint/search/box.h"
 #include "footpoint/solvers/local_solver.h"
 
 #include <array>
