@@ -497,8 +497,8 @@ TEST(OtherOptions, ShareWhatWasBuilt)
   EXPECT_TRUE(shares([](InversionOptions& o) { o.all_feet = true; }));
   EXPECT_TRUE(shares([](InversionOptions& o) { o.orthogonal_only = true; }));
   EXPECT_TRUE(shares([](InversionOptions& o) { o.fixed_direction = Vector3(0, 0, 1); }));
-  // Lines and seeds need no certified search; and nothing that was built is given up.
-  EXPECT_FALSE(PointInverter(first.model(), along({ 0, 0, 1 })).is_prepared_for({}));
+  EXPECT_TRUE(PointInverter(first.model(), along({ 0, 0, 1 })).is_prepared_for({}));
+  // Seeds need no pieces; and nothing that was built is given up.
   const PointInverter seeded(first.model(), searching(Search::Seeded));
   EXPECT_FALSE(seeded.is_prepared_for({}));
   const PointInverter both = seeded.with_options({}).with_options(searching(Search::Seeded));
