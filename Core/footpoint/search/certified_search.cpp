@@ -27,8 +27,10 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Cells that one query may look at, and how often one of them may be halved.
-constexpr int kMostCells = 20000;
+/// Cells of one piece that are halved by their coefficients, and cells of one query that have these
+/// formed anew afterwards; how often a line may be halved.
+constexpr int kMostCells = 200;
+constexpr int kMostHardCells = 2000;
 constexpr int kMostHalvings = 100;
 
 /// Newton's method is begun at once on the first piece if its box is nearer than this part of the
@@ -181,6 +183,8 @@ private:
     Improved
   };
   Verdict prove(const PieceFoot& survivor);
+  /// The cells that are left, with their forms relative to the best foot.
+  Verdict prove_hard_cells(const PieceQuery& query);
   bool improves_at_corner(
     const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f);
   Verdict prove_side(const PieceQuery& query, const Range& cell, const double* f, double error,
@@ -218,6 +222,7 @@ private:
   std::int32_t Nearest = -1; ///< the piece with the point that gave Bound, and that point
   Pair NearestAt{ { 0.0, 0.0 } };
   int Cells = 0;
+  int HardCells = 0;
   // Of the piece that is being proved:
   double Slack = 0.0;   ///< d² − (d − tolerance)²
   double Margin = 0.0;  ///< bound of the error of a coefficient of the piece

@@ -44,10 +44,18 @@ struct SearchWorkspace
     double error; ///< … and the error of all of them from halving
     int depth;
   };
+  /// A cell whose coefficients have to be formed anew.
+  struct HardCell
+  {
+    std::array<double, 2> lower;
+    std::array<double, 2> upper;
+    double allowed; ///< how far F may fall below zero; negative: not known yet
+  };
 
   std::vector<Candidate> candidates;
   std::vector<PieceFoot> survivors; ///< minima of the pieces that have to be proved
   std::vector<Cell> cells;
+  std::vector<HardCell> hard_cells;
   std::vector<double> coefficients; ///< of the cells, one after the other
 };
 

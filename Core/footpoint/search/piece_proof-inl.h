@@ -10,6 +10,8 @@
 #define FOOTPOINT_PIECE_PROOF_INL_H
 #endif
 
+#include "footpoint/search/cell_form-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
 {
@@ -133,7 +135,8 @@ bool Finder::prove_all()
     }
     proved = proved && verdict == Verdict::Proved;
   }
-  return proved;
+  // Feet may have come nearer meanwhile.
+  return proved || (this->found() && this->best().distance <= this->Query.tolerance);
 }
 
 Finder::Verdict Finder::prove(const PieceFoot& survivor)
@@ -159,7 +162,9 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   const double least = this->form(
     query, level.constant + this->Slack - level.margin, this->coefficients(0, size));
   cells.push_back({ { { 0.0, 0.0 } }, { { 1.0, 1.0 } }, least, 0.0, 0 });
-  bool open = false;
+  std::vector<SearchWorkspace::HardCell>& hard = this->Workspace.hard_cells;
+  hard.clear();
+  this->Cells = 0;
   while (!cells.empty())
   {
     const SearchWorkspace::Cell cell = cells.back();
@@ -171,7 +176,11 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     }
     if (++this->Cells > kMostCells)
     {
-      return Verdict::Open;
+      for (const SearchWorkspace::Cell& left : cells)
+      {
+        hard.push_back({ left.lower, left.upper, -1.0 });
+      }
+      break;
     }
     double* f = this->coefficients(at, size);
     if (this->improves_at_corner(query, cell, f))
@@ -214,12 +223,7 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     }
     if (cell.depth >= kMostHalvings)
     {
-      // Not proved; but nothing that a descent from here can find is passed over.
-      if (this->support(query, range, cell.lower) == Verdict::Improved)
-      {
-        return Verdict::Improved;
-      }
-      open = true;
+      hard.push_back({ cell.lower, cell.upper, -1.0 });
       cells.pop_back();
       continue;
     }
@@ -245,7 +249,307 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     cells.back() = low;
     cells.push_back(high);
   }
-  return open ? Verdict::Open : Verdict::Proved;
+  return hard.empty() ? Verdict::Proved : this->prove_hard_cells(query);
+}
+
+/// Three vectors that are orthonormal up to 8 roundings have a sum of squares that is larger than that of
+/// an orthonormal basis by no more than 24 roundings.
+constexpr double kBelowOne = 1.0 - 32.0 * kRounding;
+
+/// Normalizes the first vector and adds two.
+HWY_INLINE void complete_basis(double (*e)[3])
+{
+  const auto normalize = [](double* a)
+  {
+    const double length = std::sqrt(dot(a, a));
+    for (int k = 0; k < 3; ++k)
+    {
+      a[k] /= length;
+    }
+  };
+  const auto cross = [](const double* a, const double* b, double* c)
+  {
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+  };
+  normalize(e[0]);
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    least = std::abs(e[0][k]) < std::abs(e[0][least]) ? k : least;
+  }
+  double axis[3] = {};
+  axis[least] = 1.0;
+  cross(e[0], axis, e[1]);
+  normalize(e[1]);
+  cross(e[0], e[1], e[2]);
+}
+
+HWY_INLINE double product_of(const Place& place, int i, int k)
+{
+  return place.jet[0][i] * place.jet[0][k] + place.jet[1][i] * place.jet[1][k] +
+    place.jet[2][i] * place.jet[2][k];
+}
+
+Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
+{
+  const Piece& piece = *query.piece;
+  const PieceShape& shape = *piece.shape;
+  std::vector<SearchWorkspace::HardCell>& cells = this->Workspace.hard_cells;
+  // F = w² (|S − P|² − T) = X·X + 2 w X·r + w² c, X = w (S − f), r = f − P.
+  const PieceFoot& foot = this->found() ? this->best() : *this->Known;
+  double f[3];
+  double r[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    f[k] = foot.position[k] - piece.origin[k];
+    r[k] = foot.offset[k];
+  }
+  // r is off by the rounding of f, of P − origin and of their difference: another query, whose
+  // distances differ by as much. Of one far away that is too much, but there the difference between
+  // |S − P|² and |f − P|² is off by its product with |S − f| only.
+  double offset_error = 4.0 * kRounding *
+    (bound_of_length(query.p) + bound_of_length(f) + bound_of_length(piece.origin.data()));
+  // Cutting out a cell moves S by six roundings a degree and end, shifting it to f by four.
+  const int degrees = shape.degree[0] + shape.degree[1];
+  const double limit = this->found() ? foot.distance : this->Query.limit;
+  double tolerance =
+    this->Query.tolerance - (12.0 * degrees + 8.0) * kRounding * this->Query.size;
+  if (offset_error < 0.1 * tolerance)
+  {
+    tolerance -= 2.0 * offset_error;
+    offset_error = 0.0;
+  }
+  tolerance = std::min(tolerance, limit);
+  if (!(tolerance > 0.0))
+  {
+    return Verdict::Open;
+  }
+  const double slack = this->found()
+    ? tolerance * (2.0 * limit - tolerance)
+    : (foot.distance - limit) * (foot.distance + limit) * (1.0 - 4.0 * kRounding);
+  CellNet net;
+  CellPolynomial products;
+  CellPolynomial form;
+  CellPolynomial reduced;
+  double along[kMostPoints][kMostPoints];
+  for (std::size_t next = 0; next < cells.size(); ++next)
+  {
+    SearchWorkspace::HardCell cell = cells[next];
+    if (++this->HardCells > kMostHardCells)
+    {
+      return Verdict::Open;
+    }
+    const Range range{ cell.lower, cell.upper };
+    cell_net(piece, range, f, net);
+    double greatest[4] = {};
+    double least_weight = kInfinity;
+    for (int i = 0; i <= net.p; ++i)
+    {
+      for (int j = 0; j <= net.q; ++j)
+      {
+        for (int c = 0; c < 4; ++c)
+        {
+          greatest[c] = std::max(greatest[c], std::abs(net.planes[c][i][j]));
+        }
+        least_weight = std::min(least_weight, net.planes[3][i][j]);
+        along[i][j] = 2.0 * (net.planes[0][i][j] * r[0] + net.planes[1][i][j] * r[1] +
+          net.planes[2][i][j] * r[2]);
+      }
+    }
+    if (cell.allowed < 0.0)
+    {
+      cell.allowed = slack * least_weight * least_weight * (1.0 - 8.0 * kRounding);
+    }
+    const CellProduct product(net.p, net.q);
+    for (int c = 0; c < 4; ++c)
+    {
+      product.scale(net.planes[c]);
+    }
+    product.scale(along);
+    products.n = form.n = reduced.n = 2 * net.p;
+    products.m = form.m = reduced.m = 2 * net.q;
+    CellProduct::clear(products);
+    for (int c = 0; c < 3; ++c)
+    {
+      product.add(1.0, net.planes[c], net.planes[c], products);
+    }
+    product.add(1.0, net.planes[3], along, products);
+    product.finish(products, form);
+    const double roundings = 4.0 * (net.p + 1) * (net.q + 1) + 16.0;
+    form.error = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      form.error += greatest[c] *
+        (roundings * kRounding * (greatest[c] + 2.0 * greatest[3] * std::abs(r[c])) +
+          2.0 * greatest[3] * offset_error);
+    }
+    const CellBounds bounds(form);
+    Pair at;
+    for (int i = 0; i < 2; ++i)
+    {
+      const double t = std::min(std::max(this->Known->t[i], range.lower[i]), range.upper[i]);
+      const double width = range.upper[i] - range.lower[i];
+      at[i] = width > 0.0 ? (t - range.lower[i]) / width : 0.0;
+    }
+    if (bounds.not_below(-cell.allowed, at))
+    {
+      continue;
+    }
+    int side = -1;
+    for (int i = 0; i < 2 && side < 0; ++i)
+    {
+      side = bounds.monotone(i);
+      if (side >= 0)
+      {
+        (side == 0 ? cell.upper : cell.lower)[i] = (side == 0 ? cell.lower : cell.upper)[i];
+      }
+    }
+    if (side >= 0)
+    {
+      cells.push_back(cell);
+      continue;
+    }
+    // The nearest point of the cell, as far as a descent finds it.
+    Place place;
+    for (int i = 0; i < 2; ++i)
+    {
+      place.t[i] = std::min(std::max(this->Known->t[i], range.lower[i]), range.upper[i]);
+    }
+    const int iterations = descend(query, range, place);
+    if (std::sqrt(place.squared) <= this->reach())
+    {
+      Place whole;
+      whole.t = place.t;
+      const int more = descend(query, kWholePiece, whole);
+      if (this->keep(this->foot_of(query, whole, iterations + more)))
+      {
+        return Verdict::Improved;
+      }
+    }
+    double width[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      width[i] = range.upper[i] - range.lower[i];
+      at[i] = width[i] > 0.0
+        ? std::min(std::max((place.t[i] - range.lower[i]) / width[i], 0.0), 1.0)
+        : 0.0;
+    }
+    if (bounds.supported(-cell.allowed, at))
+    {
+      continue;
+    }
+    int cut = bounds.bend(0) > bounds.bend(1) ? 0 : 1;
+    if (net.p > 0 && net.q > 0)
+    {
+      // Subtract the square of the stiffest coordinate, as much as leaves F level in all directions.
+      const double a = place.metric[0] * width[0] * width[0];
+      const double b = product_of(place, 1, 2) * width[0] * width[1];
+      const double d = place.metric[1] * width[1] * width[1];
+      const double half = 0.5 * (a - d);
+      const double root = std::sqrt(half * half + b * b);
+      const double stiff = 0.5 * (a + d) + root;
+      double x = half >= 0.0 ? half + root : b;
+      double y = half >= 0.0 ? b : root - half;
+      const double length = std::sqrt(x * x + y * y);
+      x = length > 0.0 ? x / length : 1.0;
+      y = length > 0.0 ? y / length : 0.0;
+      const double uu = place.hessian[0] * width[0] * width[0];
+      const double uv = place.hessian[1] * width[0] * width[1];
+      const double vv = place.hessian[2] * width[1] * width[1];
+      const double high = x * x * uu + 2.0 * x * y * uv + y * y * vv;
+      const double low = y * y * uu - 2.0 * x * y * uv + x * x * vv;
+      const double part = stiff > 0.0 ? std::min((high - low) / stiff, 1.0) : 0.0;
+      if (part > 0.0)
+      {
+        // An orthonormal basis: the stiff direction first.
+        double e[3][3];
+        for (int k = 0; k < 3; ++k)
+        {
+          e[0][k] = (x * place.jet[k][1] * width[0] + y * place.jet[k][2] * width[1]);
+        }
+        complete_basis(e);
+        double r_along[3];
+        double centre = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          r_along[k] = dot(e[k], r);
+          centre += e[0][k] * (place.jet[k][0] - f[k]);
+        }
+        const double all = greatest[0] + greatest[1] + greatest[2];
+        const double weight = greatest[3];
+        const double length_of_r = bound_of_length(r);
+        double greatest_along[3] = {};
+        // All planes are multiplied by the binomial coefficients already.
+        for (int i = 0; i <= net.p; ++i)
+        {
+          for (int j = 0; j <= net.q; ++j)
+          {
+            double at_point[3];
+            const double scale = 1.0 / product.scale_of(i, j);
+            for (int k = 0; k < 3; ++k)
+            {
+              at_point[k] = e[k][0] * net.planes[0][i][j] + e[k][1] * net.planes[1][i][j] +
+                e[k][2] * net.planes[2][i][j];
+              greatest_along[k] = std::max(greatest_along[k], std::abs(at_point[k]) * scale);
+            }
+            for (int k = 0; k < 3; ++k)
+            {
+              net.planes[k][i][j] = at_point[k];
+            }
+            along[i][j] = 2.0 * (r_along[0] * at_point[0] + r_along[1] * at_point[1] +
+              r_along[2] * at_point[2]) +
+              part * centre * (2.0 * at_point[0] - centre * net.planes[3][i][j]);
+          }
+        }
+        CellProduct::clear(products);
+        product.add(kBelowOne * (1.0 - part), net.planes[0], net.planes[0], products);
+        product.add(kBelowOne, net.planes[1], net.planes[1], products);
+        product.add(kBelowOne, net.planes[2], net.planes[2], products);
+        product.add(1.0, net.planes[3], along, products);
+        product.finish(products, reduced);
+        const double part_left[3] = { 1.0 - part, 1.0, 1.0 };
+        reduced.error = 2.0 * weight * all * (offset_error + 8.0 * kRounding * length_of_r);
+        for (int k = 0; k < 3; ++k)
+        {
+          reduced.error += greatest_along[k] * part_left[k] *
+              kRounding * (roundings * greatest_along[k] + 16.0 * all) +
+            roundings * kRounding * 2.0 * weight * greatest_along[k] * std::abs(r_along[k]);
+        }
+        reduced.error += roundings * kRounding * weight * part * std::abs(centre) *
+          (2.0 * greatest_along[0] + std::abs(centre) * weight);
+        const CellBounds reduced_bounds(reduced);
+        if (reduced_bounds.not_below(-cell.allowed, at))
+        {
+          continue;
+        }
+        // Where second differences are nothing but rounding, the longer direction.
+        const double bend[2] = { reduced_bounds.bend(0), reduced_bounds.bend(1) };
+        const double noise = 8.0 * reduced.error * std::max(reduced.n * reduced.n, reduced.m * reduced.m);
+        cut = std::max(bend[0], bend[1]) > noise ? (bend[0] > bend[1] ? 0 : 1) : (a > d ? 0 : 1);
+      }
+    }
+    if (width[cut] == 0.0)
+    {
+      cut = 1 - cut;
+    }
+    const double middle = 0.5 * (range.lower[cut] + range.upper[cut]);
+    if (!(middle > range.lower[cut] && middle < range.upper[cut]))
+    {
+      return Verdict::Open;
+    }
+    if (width[0] > 0.0 && width[1] > 0.0)
+    {
+      cell.allowed = -1.0; // a side has to keep what its cell allows
+    }
+    SearchWorkspace::HardCell high = cell;
+    cell.upper[cut] = middle;
+    high.lower[cut] = middle;
+    cells.push_back(cell);
+    cells.push_back(high);
+  }
+  return Verdict::Proved;
 }
 
 /// The coefficients at the corners are values of F: where one is negative the corner itself is nearer
