@@ -27,10 +27,13 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Cells of one piece that are halved by their coefficients, and cells of one query that have these
-/// formed anew afterwards; how often a line may be halved.
+/// Cells of one piece that are halved by their coefficients: an ordinary piece needs fewer than ten.
 constexpr int kMostCells = 200;
+/// Cells of one query that have their coefficients formed anew afterwards, some microseconds each; and
+/// how many of these every piece may have even if others have used them up.
 constexpr int kMostHardCells = 2000;
+constexpr std::size_t kFewestHardCells = 64;
+/// How often a cell or a line may be halved by its coefficients.
 constexpr int kMostHalvings = 100;
 
 /// Newton's method is begun at once on the first piece if its box is nearer than this part of the
@@ -53,12 +56,13 @@ HWY_INLINE std::uint64_t at_most(const double* values, int count, double limit)
   return result;
 }
 
-/// Ranges of the first and second differences of the coefficients of F.
-struct Differences
+/// What the first differences of the coefficients of F say.
+struct Slopes
 {
-  double least_u, greatest_u, least_v, greatest_v;
-  double least_uu, least_vv, greatest_uv;
-  double greatest; ///< of all coefficients, by magnitude
+  int monotone;    ///< the direction along which F is monotone, −1: none
+  int end;         ///< where it is smallest then
+  int cut;         ///< otherwise the direction along which the slope changes more
+  double greatest; ///< and the greatest of the coefficients, by magnitude
 };
 
 /// All that one query needs, over all pieces.
@@ -138,8 +142,9 @@ private:
   /// Computes the coefficients of F into `target`; returns the smallest one.
   double form(const PieceQuery& query, double constant, double* target) const;
   static Pair start_of(const PieceShape& shape, const double* coefficients, double least);
-  static Differences differences(const PieceShape& shape, const double* f);
-  static double halve(const PieceShape& shape, const double* f, int direction, int end, double* to);
+  static Slopes slopes_of(const PieceShape& shape, const double* f, double error);
+  static bool is_convex(const PieceShape& shape, const double* f, double error);
+  static Pair halve(const PieceShape& shape, double* f, int direction, double* upper);
 
   // === The search ===
 
@@ -195,13 +200,16 @@ private:
 
   double* coefficients(std::size_t k, int size)
   {
-    const std::size_t needed = (k + 1) * size + 16;
+    // Vector loads may read a little beyond either end.
+    const std::size_t needed = (k + 1) * size + 2 * kBesideCoefficients;
     if (this->Workspace.coefficients.size() < needed)
     {
       this->Workspace.coefficients.resize(2 * needed);
     }
-    return this->Workspace.coefficients.data() + k * size;
+    return this->Workspace.coefficients.data() + kBesideCoefficients + k * size;
   }
+
+  static constexpr int kBesideCoefficients = 16;
 
   const SearchStructure& Structure;
   const CertifiedQuery& Query;

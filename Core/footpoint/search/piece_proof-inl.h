@@ -20,7 +20,8 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-Differences Finder::differences(const PieceShape& shape, const double* f)
+/// \param error a first difference beyond this has its sign in exact numbers
+HWY_NOINLINE Slopes Finder::slopes_of(const PieceShape& shape, const double* f, double error)
 {
   const hn::CappedTag<double, 8> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
@@ -30,95 +31,224 @@ Differences Finder::differences(const PieceShape& shape, const double* f)
   auto greatest_u = minus;
   auto least_v = infinite;
   auto greatest_v = minus;
-  auto least_uu = infinite;
-  auto least_vv = infinite;
-  auto greatest_uv = hn::Zero(tag);
   auto greatest = hn::Zero(tag);
-  const int stride = shape.stride;
   for (int j = 0; j < shape.columns; j += lanes)
   {
     const auto has_next =
       hn::FirstN(tag, static_cast<std::size_t>(std::clamp(shape.columns - 1 - j, 0, lanes)));
-    const auto has_second =
-      hn::FirstN(tag, static_cast<std::size_t>(std::clamp(shape.columns - 2 - j, 0, lanes)));
-    auto before_u = hn::Zero(tag);
-    auto before_v = hn::Zero(tag);
     auto before = hn::Zero(tag);
     for (int i = 0; i < shape.rows; ++i)
     {
-      const double* row = f + i * stride + j;
+      const double* row = f + i * shape.stride + j;
       const auto here = hn::LoadU(tag, row);
-      const auto next = hn::LoadU(tag, row + 1);
-      const auto second = hn::LoadU(tag, row + 2);
+      const auto v = hn::Sub(hn::LoadU(tag, row + 1), here);
       greatest = hn::Max(greatest, hn::Abs(here));
-      const auto v = hn::Sub(next, here);
-      const auto vv = hn::Sub(hn::Sub(second, next), v);
       least_v = hn::Min(least_v, hn::IfThenElse(has_next, v, infinite));
       greatest_v = hn::Max(greatest_v, hn::IfThenElse(has_next, v, minus));
-      least_vv = hn::Min(least_vv, hn::IfThenElse(has_second, vv, infinite));
       if (i > 0)
       {
         const auto u = hn::Sub(here, before);
         least_u = hn::Min(least_u, u);
         greatest_u = hn::Max(greatest_u, u);
-        const auto uv = hn::Abs(hn::Sub(v, before_v));
-        greatest_uv = hn::Max(greatest_uv, hn::IfThenElseZero(has_next, uv));
-        if (i > 1)
-        {
-          least_uu = hn::Min(least_uu, hn::Sub(u, before_u));
-        }
-        before_u = u;
       }
       before = here;
-      before_v = v;
     }
   }
-  return { hn::GetLane(hn::MinOfLanes(tag, least_u)), hn::GetLane(hn::MaxOfLanes(tag, greatest_u)),
-    hn::GetLane(hn::MinOfLanes(tag, least_v)), hn::GetLane(hn::MaxOfLanes(tag, greatest_v)),
-    hn::GetLane(hn::MinOfLanes(tag, least_uu)), hn::GetLane(hn::MinOfLanes(tag, least_vv)),
-    hn::GetLane(hn::MaxOfLanes(tag, greatest_uv)), hn::GetLane(hn::MaxOfLanes(tag, greatest)) };
+  const auto above = hn::Set(tag, error);
+  const auto below = hn::Set(tag, -error);
+  const bool has_u = shape.rows > 1;
+  const bool rises_u = has_u && hn::AllTrue(tag, hn::Gt(least_u, above));
+  if (rises_u || (has_u && hn::AllTrue(tag, hn::Lt(greatest_u, below))))
+  {
+    return { 0, rises_u ? 0 : 1, 0, 0.0 };
+  }
+  const bool rises_v = hn::AllTrue(tag, hn::Gt(least_v, above));
+  if (rises_v || hn::AllTrue(tag, hn::Lt(greatest_v, below)))
+  {
+    return { 1, rises_v ? 0 : 1, 0, 0.0 };
+  }
+  const double change_v =
+    hn::GetLane(hn::MaxOfLanes(tag, greatest_v)) - hn::GetLane(hn::MinOfLanes(tag, least_v));
+  const double change_u = has_u
+    ? hn::GetLane(hn::MaxOfLanes(tag, greatest_u)) - hn::GetLane(hn::MinOfLanes(tag, least_u))
+    : 0.0;
+  const bool along_u = change_u * (shape.rows - 1) > change_v * (shape.columns - 1);
+  return { -1, 0, along_u ? 0 : 1, hn::GetLane(hn::MaxOfLanes(tag, greatest)) };
 }
 
-/// The coefficients over one half of a cell; returns the smallest one.
-double Finder::halve(const PieceShape& shape, const double* f, int direction, int end, double* to)
+/// Whether the matrices of second derivatives are positive definite as coefficients of the common degree
+/// (n, m): from raising the degrees of the second differences,
+///   F_uu: i(i−1) D_{i−2} + 2 i(n−i) D_{i−1} + (n−i)(n−i−1) D_i  for each column, likewise F_vv, and
+///   F_uv: i j D_{i−1,j−1} + i(m−j) D_{i−1,j} + (n−i) j D_{i,j−1} + (n−i)(m−j) D_{ij}.
+/// Positive definite matrices make a convex cone, so F is convex. Far less is lost than by comparing the
+/// extremes of each, since where one of them is large the others are.
+/// \param error of a second difference, and of the rounding here
+HWY_NOINLINE bool Finder::is_convex(const PieceShape& shape, const double* f, double error)
 {
   const hn::CappedTag<double, 8> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
-  const std::vector<double>& weights = shape.halving[direction][end];
-  auto least = hn::Set(tag, kInfinity);
-  for (int i = 0; i < shape.rows; ++i)
+  const int n = shape.rows - 1;
+  const int m = shape.columns - 1;
+  const int stride = shape.stride;
+  const auto error_uu = hn::Set(tag, n * (n - 1.0) * error);
+  const auto error_vv = hn::Set(tag, m * (m - 1.0) * error);
+  const auto error_uv = hn::Set(tag, n * static_cast<double>(m) * error);
+  const auto zero = hn::Zero(tag);
+  for (int first = 0; first <= m; first += lanes)
   {
-    for (int j = 0; j < shape.stride; j += lanes)
+    const auto unused = hn::Not(
+      hn::FirstN(tag, static_cast<std::size_t>(std::min(m + 1 - first, lanes))));
+    // The factors of what lies beyond the ends of a row are zero; it only has to be finite.
+    const auto j = hn::Iota(tag, static_cast<double>(first));
+    const auto rest = hn::Sub(hn::Set(tag, static_cast<double>(m)), j);
+    const auto one = hn::Set(tag, 1.0);
+    const auto factor_before = hn::Mul(j, hn::Sub(j, one));
+    const auto factor_here = hn::Mul(hn::Add(j, j), rest);
+    const auto factor_after = hn::Mul(rest, hn::Sub(rest, one));
+    // Of row i: its coefficients, and its slope along v, raised to degree m.
+    auto level = [&](int i) { return hn::LoadU(tag, f + i * stride + first); };
+    auto slope = [&](int i)
     {
-      auto sum = hn::Zero(tag);
-      if (direction == 0)
+      const double* row = f + i * stride + first;
+      const auto here = hn::LoadU(tag, row);
+      return hn::MulAdd(j, hn::Sub(here, hn::LoadU(tag, row - 1)),
+        hn::Mul(rest, hn::Sub(hn::LoadU(tag, row + 1), here)));
+    };
+    auto here = level(0);
+    auto step_before = zero; // differences of rows i − 1 and i, i and i + 1
+    auto step = n > 0 ? hn::Sub(level(1), here) : zero;
+    auto second_before_that = zero; // second differences from row i − 2 and i − 1 on
+    auto second_before = zero;
+    auto twist_before = zero;
+    auto slope_here = n > 0 ? slope(0) : zero;
+    for (int i = 0; i <= n; ++i)
+    {
+      const double* row = f + i * stride + first;
+      here = hn::LoadU(tag, row);
+      const auto left = hn::LoadU(tag, row - 1);
+      const auto right = hn::LoadU(tag, row + 1);
+      const auto step_left = hn::Sub(here, left);
+      const auto step_right = hn::Sub(right, here);
+      auto vv = hn::Mul(
+        factor_before, hn::Sub(step_left, hn::Sub(left, hn::LoadU(tag, row - 2))));
+      vv = hn::MulAdd(factor_here, hn::Sub(step_right, step_left), vv);
+      vv = hn::MulAdd(
+        factor_after, hn::Sub(hn::Sub(hn::LoadU(tag, row + 2), right), step_right), vv);
+      const auto c = hn::Sub(vv, error_vv);
+      auto fine = hn::Gt(c, zero);
+      if (n > 0)
       {
-        const int first = end == 0 ? 0 : i;
-        const int last = end == 0 ? i : shape.rows - 1;
-        for (int k = first; k <= last; ++k)
+        auto second = zero;
+        auto twist = zero;
+        auto step_after = zero;
+        if (i < n)
         {
-          sum = hn::MulAdd(hn::Set(tag, weights[k * shape.rows + i]),
-            hn::LoadU(tag, f + k * shape.stride + j), sum);
+          const auto slope_next = slope(i + 1);
+          twist = hn::Sub(slope_next, slope_here);
+          slope_here = slope_next;
         }
+        if (i + 1 < n)
+        {
+          step_after = hn::Sub(level(i + 2), level(i + 1));
+          second = hn::Sub(step_after, step);
+        }
+        auto uu = hn::Mul(hn::Set(tag, i * (i - 1.0)), second_before_that);
+        uu = hn::MulAdd(hn::Set(tag, 2.0 * i * (n - i)), second_before, uu);
+        uu = hn::MulAdd(hn::Set(tag, (n - i) * (n - i - 1.0)), second, uu);
+        auto uv = hn::Mul(hn::Set(tag, static_cast<double>(i)), twist_before);
+        uv = hn::MulAdd(hn::Set(tag, static_cast<double>(n - i)), twist, uv);
+        second_before_that = second_before;
+        second_before = second;
+        twist_before = twist;
+        step_before = step;
+        step = step_after;
+        const auto a = hn::Sub(uu, error_uu);
+        const auto b = hn::Add(hn::Abs(uv), error_uv);
+        fine = hn::And(fine, hn::And(hn::Gt(a, zero), hn::Gt(hn::Mul(a, c), hn::Mul(b, b))));
       }
-      else
+      if (!hn::AllTrue(tag, hn::Or(fine, unused)))
       {
-        for (int k = 0; k < shape.columns; ++k)
-        {
-          sum = hn::MulAdd(hn::Set(tag, f[i * shape.stride + k]),
-            hn::LoadU(tag, weights.data() + k * shape.stride + j), sum);
-        }
+        return false;
       }
-      hn::StoreU(sum, tag, to + i * shape.stride + j);
-      least = hn::Min(least, sum);
+    }
+    static_cast<void>(step_before);
+  }
+  return true;
+}
+
+/// Cuts a cell in the middle (de Casteljau 1959): its coefficients become those of the lower half.
+/// \return the smallest coefficient of either half
+HWY_NOINLINE Pair Finder::halve(const PieceShape& shape, double* f, int direction, double* upper)
+{
+  const hn::CappedTag<double, 8> tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const int stride = shape.stride;
+  auto least = hn::Set(tag, kInfinity);
+  auto least_of_upper = least;
+  if (direction == 0)
+  {
+    const auto half = hn::Set(tag, 0.5);
+    const int last = shape.rows - 1;
+    for (int j = 0; j < stride; j += lanes)
+    {
+      auto row = [&](double* of, int i) { return of + i * stride + j; };
+      least = hn::Min(least, hn::LoadU(tag, row(f, 0)));
+      for (int i = 0; i < last; ++i)
+      {
+        hn::StoreU(hn::Mul(half, hn::Add(hn::LoadU(tag, row(f, i)), hn::LoadU(tag, row(f, i + 1)))),
+          tag, row(upper, i));
+      }
+      const auto end = hn::LoadU(tag, row(f, last));
+      hn::StoreU(end, tag, row(upper, last));
+      least_of_upper = hn::Min(least_of_upper, end);
+      for (int level = 1; level <= last; ++level)
+      {
+        const auto first = hn::LoadU(tag, row(upper, 0));
+        hn::StoreU(first, tag, row(f, level));
+        least = hn::Min(least, first);
+        auto here = first;
+        for (int i = 0; i < last - level; ++i)
+        {
+          const auto next = hn::LoadU(tag, row(upper, i + 1));
+          hn::StoreU(hn::Mul(half, hn::Add(here, next)), tag, row(upper, i));
+          here = next;
+        }
+        least_of_upper = hn::Min(least_of_upper, here);
+      }
     }
   }
-  return hn::GetLane(hn::MinOfLanes(tag, least));
+  else
+  {
+    const double* lower_weights = shape.halving[1][0].data();
+    const double* upper_weights = shape.halving[1][1].data();
+    double whole[kMostTerms];
+    for (int i = 0; i < shape.rows; ++i)
+    {
+      std::copy(f + i * stride, f + (i + 1) * stride, whole);
+      for (int j = 0; j < stride; j += lanes)
+      {
+        auto low = hn::Zero(tag);
+        auto high = low;
+        for (int k = 0; k < shape.columns; ++k)
+        {
+          const auto value = hn::Set(tag, whole[k]);
+          low = hn::MulAdd(value, hn::LoadU(tag, lower_weights + k * stride + j), low);
+          high = hn::MulAdd(value, hn::LoadU(tag, upper_weights + k * stride + j), high);
+        }
+        hn::StoreU(low, tag, f + i * stride + j);
+        hn::StoreU(high, tag, upper + i * stride + j);
+        least = hn::Min(least, low);
+        least_of_upper = hn::Min(least_of_upper, high);
+      }
+    }
+  }
+  return { { hn::GetLane(hn::MinOfLanes(tag, least)),
+    hn::GetLane(hn::MinOfLanes(tag, least_of_upper)) } };
 }
 
 // === The proof ===
 
-bool Finder::prove_all()
+HWY_NOINLINE bool Finder::prove_all()
 {
   if (this->found() && this->best().distance <= this->Query.tolerance)
   {
@@ -139,7 +269,7 @@ bool Finder::prove_all()
   return proved || (this->found() && this->best().distance <= this->Query.tolerance);
 }
 
-Finder::Verdict Finder::prove(const PieceFoot& survivor)
+HWY_NOINLINE Finder::Verdict Finder::prove(const PieceFoot& survivor)
 {
   const PieceQuery query = this->at(survivor.piece);
   const Piece& piece = *query.piece;
@@ -153,10 +283,6 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   this->Shift = shape.rational ? this->Slack * piece.greatest_weight : 0.0;
   this->Known = &survivor;
   const int size = shape.form_size;
-  const bool has_u = shape.rows > 1;
-  const bool has_v = shape.columns > 1;
-  const double n = shape.rows - 1;
-  const double m = shape.columns - 1;
   std::vector<SearchWorkspace::Cell>& cells = this->Workspace.cells;
   cells.clear();
   const double least = this->form(
@@ -187,29 +313,21 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     {
       return Verdict::Improved;
     }
-    const Differences d = differences(shape, f);
-    const double first = this->least_first_difference(cell.error);
-    const double second = this->least_second_difference(cell.error);
     const Range range{ cell.lower, cell.upper };
     Verdict verdict = Verdict::Open;
-    const double uv = d.greatest_uv + second;
-    const bool convex = (!has_u || d.least_uu > second) && (!has_v || d.least_vv > second) &&
-      (!has_u || !has_v ||
-        // (n(n−1) uu)(m(m−1) vv) > (n m uv)²
-        (d.least_uu - second) * (d.least_vv - second) * (n - 1.0) * (m - 1.0) > n * m * uv * uv);
-    if (convex)
+    if (is_convex(shape, f, this->least_second_difference(cell.error)))
     {
       verdict = this->support(query, range, this->Known->t);
     }
-    for (int i = 0; i < 2 && verdict == Verdict::Open; ++i)
+    Slopes slopes{};
+    if (verdict == Verdict::Open)
     {
-      // Monotone: only one side matters.
-      const double lowest = i == 0 ? d.least_u : d.least_v;
-      const double highest = i == 0 ? d.greatest_u : d.greatest_v;
-      if (shape.degree[i] > 0 && (lowest > first || highest < -first))
+      slopes = slopes_of(shape, f, this->least_first_difference(cell.error));
+      if (slopes.monotone >= 0)
       {
-        verdict = this->prove_side(query, range, f, cell.error, i, lowest > first ? 0 : 1);
-        break;
+        // Only one side matters.
+        verdict =
+          this->prove_side(query, range, f, cell.error, slopes.monotone, slopes.end);
       }
     }
     if (verdict == Verdict::Improved)
@@ -221,31 +339,28 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
       cells.pop_back();
       continue;
     }
-    if (cell.depth >= kMostHalvings)
+    if (cell.depth >= kMostHalvings || slopes.monotone >= 0)
     {
       hard.push_back({ cell.lower, cell.upper, -1.0 });
       cells.pop_back();
       continue;
     }
     // Halved where the slope changes more.
-    const double change_u = has_u ? (d.greatest_u - d.least_u) * n : -1.0;
-    const double change_v = has_v ? (d.greatest_v - d.least_v) * m : -1.0;
-    const int cut = change_u > change_v ? 0 : 1;
+    const int cut = slopes.cut;
     const int terms = cut == 0 ? shape.rows : shape.columns;
     const double middle = 0.5 * (cell.lower[cut] + cell.upper[cut]);
     SearchWorkspace::Cell low = cell;
     SearchWorkspace::Cell high = cell;
-    low.error = high.error = cell.error + terms * kRounding * d.greatest;
+    low.error = high.error = cell.error + terms * kRounding * slopes.greatest;
     low.depth = high.depth = cell.depth + 1;
     low.upper[cut] = middle;
     high.lower[cut] = middle;
     // The upper half goes on top of the lower one, which takes the place of the whole.
-    double* scratch = this->coefficients(at + 2, size); // the last one first: it may move the others
-    double* upper = this->coefficients(at + 1, size);
+    double* upper = this->coefficients(at + 1, size); // the last one first: it may move the others
     f = this->coefficients(at, size);
-    high.least = halve(shape, f, cut, 1, upper);
-    low.least = halve(shape, f, cut, 0, scratch);
-    std::copy(scratch, scratch + size, f);
+    const Pair least_of_halves = halve(shape, f, cut, upper);
+    low.least = least_of_halves[0];
+    high.least = least_of_halves[1];
     cells.back() = low;
     cells.push_back(high);
   }
@@ -286,10 +401,83 @@ HWY_INLINE void complete_basis(double (*e)[3])
   cross(e[0], e[1], e[2]);
 }
 
-HWY_INLINE double product_of(const Place& place, int i, int k)
+/// The unit eigenvector of the larger eigenvalue of a symmetric matrix (uu, uv, vv), and both.
+struct Eigen2
 {
-  return place.jet[0][i] * place.jet[0][k] + place.jet[1][i] * place.jet[1][k] +
-    place.jet[2][i] * place.jet[2][k];
+  Pair vector;
+  double larger;
+  double smaller;
+};
+
+HWY_INLINE Eigen2 eigen_of(const Triple& h)
+{
+  const double half = 0.5 * (h[0] - h[2]);
+  const double root = std::sqrt(half * half + h[1] * h[1]);
+  const double x = half >= 0.0 ? half + root : h[1];
+  const double y = half >= 0.0 ? h[1] : root - half;
+  const double length = std::sqrt(x * x + y * y);
+  const double mean = 0.5 * (h[0] + h[2]);
+  return { length > 0.0 ? Pair{ { x / length, y / length } } : Pair{ { 1.0, 0.0 } }, mean + root,
+    mean - root };
+}
+
+/// A direction of space along[0] S_u + along[1] S_v, S_u and S_v by the cell's own parameters, and the
+/// part of the square of that coordinate which is to be subtracted from F.
+struct Stiffest
+{
+  Pair along;
+  double part; ///< at most 1; 0: none
+};
+
+/// Chosen so that what is left of the second derivatives H of ½|S − P|² has as little of a mixed one as
+/// may be. Two choices of the direction e, with g = (e·S_u, e·S_v):
+///   - where S moves most: g is the larger eigenvector of JᵀJ, J = (S_u, S_v), times |S_u|; it always
+///     has its full length;
+///   - g along the larger eigenvector of H, which leaves a multiple of the identity; but where J is
+///     nearly singular, g may be short and so is what can be subtracted.
+HWY_INLINE Stiffest stiffest_of(const Place& place, const double* width)
+{
+  const double mixed = width[0] * width[1];
+  const Triple metric{ { place.metric[0] * width[0] * width[0],
+    (place.jet[0][1] * place.jet[0][2] + place.jet[1][1] * place.jet[1][2] +
+      place.jet[2][1] * place.jet[2][2]) *
+      mixed,
+    place.metric[1] * width[1] * width[1] } };
+  const Triple h{ { place.hessian[0] * width[0] * width[0], place.hessian[1] * mixed,
+    place.hessian[2] * width[1] * width[1] } };
+  // How much of a mixed derivative is left after subtracting part · g gᵀ: uv² / (uu vv).
+  auto left = [&](const Pair& g, double part)
+  {
+    const double uu = h[0] - part * g[0] * g[0];
+    const double uv = h[1] - part * g[0] * g[1];
+    const double vv = h[2] - part * g[1] * g[1];
+    return uu > 0.0 && vv > 0.0 ? uv * uv / (uu * vv) : kInfinity;
+  };
+  const Eigen2 most = eigen_of(metric);
+  const double x = most.vector[0];
+  const double y = most.vector[1];
+  const double high = x * x * h[0] + 2.0 * x * y * h[1] + y * y * h[2];
+  const double low = y * y * h[0] - 2.0 * x * y * h[1] + x * x * h[2];
+  Stiffest result{ most.vector,
+    most.larger > 0.0 ? std::min(std::max((high - low) / most.larger, 0.0), 1.0) : 0.0 };
+  const double speed = std::sqrt(most.larger);
+  const double left_of_most = left({ { x * speed, y * speed } }, result.part);
+  const Eigen2 stiff = eigen_of(h);
+  const double determinant = metric[0] * metric[2] - metric[1] * metric[1];
+  if (determinant > 0.0)
+  {
+    const Pair along{ { (metric[2] * stiff.vector[0] - metric[1] * stiff.vector[1]) / determinant,
+      (metric[0] * stiff.vector[1] - metric[1] * stiff.vector[0]) / determinant } };
+    const double inverse = along[0] * stiff.vector[0] + along[1] * stiff.vector[1]; // 1 / |g|²
+    const double part = std::min((stiff.larger - stiff.smaller) * inverse, 1.0);
+    const double length = inverse > 0.0 ? 1.0 / std::sqrt(inverse) : 0.0;
+    if (part > 0.0 &&
+      left({ { stiff.vector[0] * length, stiff.vector[1] * length } }, part) < left_of_most)
+    {
+      result = { along, part };
+    }
+  }
+  return result;
 }
 
 Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
@@ -337,7 +525,8 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
   for (std::size_t next = 0; next < cells.size(); ++next)
   {
     SearchWorkspace::HardCell cell = cells[next];
-    if (++this->HardCells > kMostHardCells)
+    // A few of every piece, for the sake of what descents from there may find.
+    if (++this->HardCells > kMostHardCells && next >= kFewestHardCells)
     {
       return Verdict::Open;
     }
@@ -443,31 +632,16 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
     int cut = bounds.bend(0) > bounds.bend(1) ? 0 : 1;
     if (net.p > 0 && net.q > 0)
     {
-      // Subtract the square of the stiffest coordinate, as much as leaves F level in all directions.
-      const double a = place.metric[0] * width[0] * width[0];
-      const double b = product_of(place, 1, 2) * width[0] * width[1];
-      const double d = place.metric[1] * width[1] * width[1];
-      const double half = 0.5 * (a - d);
-      const double root = std::sqrt(half * half + b * b);
-      const double stiff = 0.5 * (a + d) + root;
-      double x = half >= 0.0 ? half + root : b;
-      double y = half >= 0.0 ? b : root - half;
-      const double length = std::sqrt(x * x + y * y);
-      x = length > 0.0 ? x / length : 1.0;
-      y = length > 0.0 ? y / length : 0.0;
-      const double uu = place.hessian[0] * width[0] * width[0];
-      const double uv = place.hessian[1] * width[0] * width[1];
-      const double vv = place.hessian[2] * width[1] * width[1];
-      const double high = x * x * uu + 2.0 * x * y * uv + y * y * vv;
-      const double low = y * y * uu - 2.0 * x * y * uv + x * x * vv;
-      const double part = stiff > 0.0 ? std::min((high - low) / stiff, 1.0) : 0.0;
+      const Stiffest stiffest = stiffest_of(place, width);
+      const double part = stiffest.part;
       if (part > 0.0)
       {
         // An orthonormal basis: the stiff direction first.
         double e[3][3];
         for (int k = 0; k < 3; ++k)
         {
-          e[0][k] = (x * place.jet[k][1] * width[0] + y * place.jet[k][2] * width[1]);
+          e[0][k] = stiffest.along[0] * place.jet[k][1] * width[0] +
+            stiffest.along[1] * place.jet[k][2] * width[1];
         }
         complete_basis(e);
         double r_along[3];
@@ -527,7 +701,7 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
         // Where second differences are nothing but rounding, the longer direction.
         const double bend[2] = { reduced_bounds.bend(0), reduced_bounds.bend(1) };
         const double noise = 8.0 * reduced.error * std::max(reduced.n * reduced.n, reduced.m * reduced.m);
-        cut = std::max(bend[0], bend[1]) > noise ? (bend[0] > bend[1] ? 0 : 1) : (a > d ? 0 : 1);
+        cut = std::max(bend[0], bend[1]) > noise ? (bend[0] > bend[1] ? 0 : 1) : (place.metric[0] * width[0] * width[0] > place.metric[1] * width[1] * width[1] ? 0 : 1);
       }
     }
     if (width[cut] == 0.0)
