@@ -40,14 +40,6 @@ struct CellPolynomial
   double rows[kMostTerms][kMostTerms];
 };
 
-/// Control points of a cell, (S − origin) w and w, one plane a coordinate.
-struct CellNet
-{
-  int p;
-  int q;
-  double planes[4][kMostPoints][kMostPoints];
-};
-
 /// The polygon of [0, 1] becomes that of [lower, upper] (de Casteljau 1959); one point where these are
 /// the same. Three roundings a step and end, 6 · degree in all.
 HWY_INLINE void restrict_polygon(double* values, int degree, double lower, double upper)
@@ -77,40 +69,48 @@ HWY_INLINE void restrict_polygon(double* values, int degree, double lower, doubl
   }
 }
 
-/// The control net over a range, positions relative to `origin`; a direction of no width gets degree 0.
-inline void cell_net(const Piece& piece, const Range& range, const double* origin, CellNet& net)
+/// Control points of a cell, w (S − origin) and w, one plane a coordinate. A direction in which the cell
+/// has no width gets degree 0.
+struct CellNet
 {
-  const int p = piece.shape->degree[0];
-  const int q = piece.shape->degree[1];
-  net.p = range.lower[0] < range.upper[0] ? p : 0;
-  net.q = range.lower[1] < range.upper[1] ? q : 0;
-  double lines[kMostPoints];
-  for (int c = 0; c < 4; ++c)
+  int p;
+  int q;
+  double planes[4][kMostPoints][kMostPoints];
+
+  CellNet(const Piece& piece, const Range& range, const double* origin)
+    : p(range.lower[0] < range.upper[0] ? piece.shape->degree[0] : 0)
+    , q(range.lower[1] < range.upper[1] ? piece.shape->degree[1] : 0)
   {
-    for (int i = 0; i <= p; ++i)
+    const int rows = piece.shape->degree[0];
+    const int columns = piece.shape->degree[1];
+    double line[kMostPoints];
+    for (int c = 0; c < 4; ++c)
     {
-      double* row = net.planes[c][i];
-      for (int j = 0; j <= q; ++j)
+      for (int i = 0; i <= rows; ++i)
       {
-        const double* control = piece.net + 4 * (i * (q + 1) + j);
-        row[j] = c < 3 ? control[c] - control[3] * origin[c] : control[3];
+        double* row = this->planes[c][i];
+        for (int j = 0; j <= columns; ++j)
+        {
+          const double* control = piece.net + 4 * (i * (columns + 1) + j);
+          row[j] = c < 3 ? control[c] - control[3] * origin[c] : control[3];
+        }
+        restrict_polygon(row, columns, range.lower[1], range.upper[1]);
       }
-      restrict_polygon(row, q, range.lower[1], range.upper[1]);
-    }
-    for (int j = 0; p > 0 && j <= net.q; ++j)
-    {
-      for (int i = 0; i <= p; ++i)
+      for (int j = 0; rows > 0 && j <= this->q; ++j)
       {
-        lines[i] = net.planes[c][i][j];
-      }
-      restrict_polygon(lines, p, range.lower[0], range.upper[0]);
-      for (int i = 0; i <= net.p; ++i)
-      {
-        net.planes[c][i][j] = lines[i];
+        for (int i = 0; i <= rows; ++i)
+        {
+          line[i] = this->planes[c][i][j];
+        }
+        restrict_polygon(line, rows, range.lower[0], range.upper[0]);
+        for (int i = 0; i <= this->p; ++i)
+        {
+          this->planes[c][i][j] = line[i];
+        }
       }
     }
   }
-}
+};
 
 /// Binomial coefficients of one degree, padded with ones.
 struct Binomials
@@ -189,16 +189,16 @@ public:
     }
   }
 
-  /// Bernstein coefficients of a sum of products.
-  void finish(const CellPolynomial& sum, CellPolynomial& result) const
+  /// From a sum of products to its Bernstein coefficients.
+  void finish(CellPolynomial& sum) const
   {
-    result.greatest = 0.0;
+    sum.greatest = 0.0;
     for (int k = 0; k <= sum.n; ++k)
     {
       for (int l = 0; l <= sum.m; ++l)
       {
-        result.rows[k][l] = sum.rows[k][l] / (this->UU.row[k] * this->VV.row[l]);
-        result.greatest = std::max(result.greatest, std::abs(result.rows[k][l]));
+        sum.rows[k][l] /= this->UU.row[k] * this->VV.row[l];
+        sum.greatest = std::max(sum.greatest, std::abs(sum.rows[k][l]));
       }
     }
   }
@@ -210,6 +210,261 @@ private:
   Binomials V;
   Binomials UU;
   Binomials VV;
+};
+
+/// Three vectors that are orthonormal up to 8 roundings have a sum of squares that is larger than that of
+/// an orthonormal basis by no more than 24 roundings.
+constexpr double kBelowOne = 1.0 - 32.0 * kRounding;
+
+/// Normalizes the first vector and adds two.
+HWY_INLINE void complete_basis(double (*e)[3])
+{
+  const auto normalize = [](double* a)
+  {
+    const double length = std::sqrt(dot(a, a));
+    for (int k = 0; k < 3; ++k)
+    {
+      a[k] /= length;
+    }
+  };
+  const auto cross = [](const double* a, const double* b, double* c)
+  {
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+  };
+  normalize(e[0]);
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    least = std::abs(e[0][k]) < std::abs(e[0][least]) ? k : least;
+  }
+  double axis[3] = {};
+  axis[least] = 1.0;
+  cross(e[0], axis, e[1]);
+  normalize(e[1]);
+  cross(e[0], e[1], e[2]);
+}
+
+/// The unit eigenvector of the larger eigenvalue of a symmetric matrix (uu, uv, vv), and both.
+struct Eigen2
+{
+  Pair vector;
+  double larger;
+  double smaller;
+};
+
+HWY_INLINE Eigen2 eigen_of(const Triple& h)
+{
+  const double half = 0.5 * (h[0] - h[2]);
+  const double root = std::sqrt(half * half + h[1] * h[1]);
+  const double x = half >= 0.0 ? half + root : h[1];
+  const double y = half >= 0.0 ? h[1] : root - half;
+  const double length = std::sqrt(x * x + y * y);
+  const double mean = 0.5 * (h[0] + h[2]);
+  return { length > 0.0 ? Pair{ { x / length, y / length } } : Pair{ { 1.0, 0.0 } }, mean + root,
+    mean - root };
+}
+
+/// A direction of space along[0] S_u + along[1] S_v, S_u and S_v by the cell's own parameters, and the
+/// part of the square of that coordinate which is to be subtracted from F.
+struct Stiffest
+{
+  Pair along;
+  double part; ///< at most 1; 0: none
+};
+
+/// Chosen so that what is left of the second derivatives H of ½|S − P|² has as little of a mixed one as
+/// may be. Two choices of the direction e, with g = (e·S_u, e·S_v):
+///   - where S moves most: g is the larger eigenvector of JᵀJ, J = (S_u, S_v), times |S_u|; it always
+///     has its full length;
+///   - g along the larger eigenvector of H, which leaves a multiple of the identity; but where J is
+///     nearly singular, g may be short and so is what can be subtracted.
+HWY_INLINE Stiffest stiffest_of(const Place& place, const double* width)
+{
+  const double mixed = width[0] * width[1];
+  const Triple metric{ { place.metric[0] * width[0] * width[0],
+    (place.jet[0][1] * place.jet[0][2] + place.jet[1][1] * place.jet[1][2] +
+      place.jet[2][1] * place.jet[2][2]) *
+      mixed,
+    place.metric[1] * width[1] * width[1] } };
+  const Triple h{ { place.hessian[0] * width[0] * width[0], place.hessian[1] * mixed,
+    place.hessian[2] * width[1] * width[1] } };
+  // How much of a mixed derivative is left after subtracting part · g gᵀ: uv² / (uu vv).
+  auto left = [&](const Pair& g, double part)
+  {
+    const double uu = h[0] - part * g[0] * g[0];
+    const double uv = h[1] - part * g[0] * g[1];
+    const double vv = h[2] - part * g[1] * g[1];
+    return uu > 0.0 && vv > 0.0 ? uv * uv / (uu * vv) : kInfinity;
+  };
+  const Eigen2 most = eigen_of(metric);
+  const double x = most.vector[0];
+  const double y = most.vector[1];
+  const double high = x * x * h[0] + 2.0 * x * y * h[1] + y * y * h[2];
+  const double low = y * y * h[0] - 2.0 * x * y * h[1] + x * x * h[2];
+  Stiffest result{ most.vector,
+    most.larger > 0.0 ? std::min(std::max((high - low) / most.larger, 0.0), 1.0) : 0.0 };
+  const double speed = std::sqrt(most.larger);
+  const double left_of_most = left({ { x * speed, y * speed } }, result.part);
+  const Eigen2 stiff = eigen_of(h);
+  const double determinant = metric[0] * metric[2] - metric[1] * metric[1];
+  if (determinant > 0.0)
+  {
+    const Pair along{ { (metric[2] * stiff.vector[0] - metric[1] * stiff.vector[1]) / determinant,
+      (metric[0] * stiff.vector[1] - metric[1] * stiff.vector[0]) / determinant } };
+    const double inverse = along[0] * stiff.vector[0] + along[1] * stiff.vector[1]; // 1 / |g|²
+    const double part = std::min((stiff.larger - stiff.smaller) * inverse, 1.0);
+    const double length = inverse > 0.0 ? 1.0 / std::sqrt(inverse) : 0.0;
+    if (part > 0.0 &&
+      left({ { stiff.vector[0] * length, stiff.vector[1] * length } }, part) < left_of_most)
+    {
+      result = { along, part };
+    }
+  }
+  return result;
+}
+
+/// Where a cell is seen from: the best foot f, relative to the piece's origin, and r = f − P.
+struct CellView
+{
+  double f[3];
+  double r[3];
+  double offset_error; ///< of r, each coordinate
+};
+
+/// The distance form of one cell, F = w² (|S − P|² − |r|²) = X·X + 2 w X·r with X = w (S − f), and what
+/// is left of it below the square of a coordinate.
+class CellForm
+{
+public:
+  CellForm(const Piece& piece, const Range& range, const CellView& view)
+    : View(view)
+    , Net(piece, range, view.f)
+    , Product(this->Net.p, this->Net.q)
+    , Roundings(4.0 * (this->Net.p + 1) * (this->Net.q + 1) + 4.0 * (this->Net.p + this->Net.q) +
+        16.0)
+  {
+    auto& planes = this->Net.planes;
+    for (int i = 0; i <= this->Net.p; ++i)
+    {
+      for (int j = 0; j <= this->Net.q; ++j)
+      {
+        for (int c = 0; c < 4; ++c)
+        {
+          this->Greatest[c] = std::max(this->Greatest[c], std::abs(planes[c][i][j]));
+        }
+        this->LeastWeight = std::min(this->LeastWeight, planes[3][i][j]);
+        this->Along[i][j] = 2.0 *
+          (planes[0][i][j] * view.r[0] + planes[1][i][j] * view.r[1] + planes[2][i][j] * view.r[2]);
+      }
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      this->Product.scale(planes[c]);
+    }
+    this->Product.scale(this->Along);
+  }
+
+  double least_weight() const { return this->LeastWeight; }
+  bool is_surface() const { return this->Net.p > 0 && this->Net.q > 0; }
+
+  /// Coefficients of F.
+  void distance(CellPolynomial& form)
+  {
+    const auto& planes = this->Net.planes;
+    this->begin(form);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Product.add(1.0, planes[c], planes[c], form);
+    }
+    this->Product.add(1.0, planes[3], this->Along, form);
+    this->Product.finish(form);
+    form.error = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double size = this->Greatest[c];
+      const double weight = 2.0 * this->Greatest[3];
+      form.error += size *
+        (this->Roundings * kRounding * (size + weight * std::abs(this->View.r[c])) +
+          weight * this->View.offset_error);
+    }
+  }
+
+  /// Coefficients of F − part · (X·e − w μ)², e the unit vector along a direction and μ its coordinate
+  /// at a place: no number in them is as large as that square. Turns the net: call it last.
+  void reduced(const double* direction, double part, const Place& place, CellPolynomial& form)
+  {
+    auto& planes = this->Net.planes;
+    double e[3][3];
+    std::copy(direction, direction + 3, e[0]);
+    complete_basis(e);
+    double r[3];
+    double centre = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      r[k] = dot(e[k], this->View.r);
+      centre += e[0][k] * (place.jet[k][0] - this->View.f[k]);
+    }
+    double greatest[3] = {};
+    // All planes are multiplied by the binomial coefficients already.
+    for (int i = 0; i <= this->Net.p; ++i)
+    {
+      for (int j = 0; j <= this->Net.q; ++j)
+      {
+        const double x[3] = { planes[0][i][j], planes[1][i][j], planes[2][i][j] };
+        const double scale = 1.0 / this->Product.scale_of(i, j);
+        for (int k = 0; k < 3; ++k)
+        {
+          planes[k][i][j] = dot(e[k], x);
+          greatest[k] = std::max(greatest[k], std::abs(planes[k][i][j]) * scale);
+        }
+        this->Along[i][j] =
+          2.0 * (r[0] * planes[0][i][j] + r[1] * planes[1][i][j] + r[2] * planes[2][i][j]) +
+          part * centre * (2.0 * planes[0][i][j] - centre * planes[3][i][j]);
+      }
+    }
+    const double left[3] = { kBelowOne * (1.0 - part), kBelowOne, kBelowOne };
+    this->begin(form);
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Product.add(left[k], planes[k], planes[k], form);
+    }
+    this->Product.add(1.0, planes[3], this->Along, form);
+    this->Product.finish(form);
+    // A turned coordinate is off by three roundings of all of X. Of 2 w X·r all that a basis which is
+    // orthonormal up to 24 roundings, the turned r and X leave out.
+    const double all = this->Greatest[0] + this->Greatest[1] + this->Greatest[2];
+    const double weight = this->Greatest[3];
+    form.error = 2.0 * weight * all *
+        (this->View.offset_error + 64.0 * kRounding * bound_of_length(this->View.r)) +
+      this->Roundings * kRounding * weight * part * std::abs(centre) *
+        (2.0 * greatest[0] + std::abs(centre) * weight);
+    for (int k = 0; k < 3; ++k)
+    {
+      form.error += kRounding * greatest[k] *
+        (left[k] * (this->Roundings * greatest[k] + 16.0 * all) +
+          this->Roundings * 2.0 * weight * std::abs(r[k]));
+    }
+  }
+
+private:
+  void begin(CellPolynomial& form) const
+  {
+    form.n = 2 * this->Net.p;
+    form.m = 2 * this->Net.q;
+    CellProduct::clear(form);
+  }
+
+  const CellView& View;
+  CellNet Net;
+  CellProduct Product;
+  /// Of one coefficient, over the sum of magnitudes: four products for each pair of control points,
+  /// the binomial coefficients of high degrees, and the factors.
+  double Roundings;
+  double Greatest[4] = {};
+  double LeastWeight = kInfinity;
+  double Along[kMostPoints][kMostPoints]; ///< 2 X·r and the like
 };
 
 /// Value and gradient of a polynomial at a place of its cell, in units of the cell.
@@ -311,8 +566,9 @@ public:
       }
     }
     // Of the polynomial with just these coefficients: the error of its values comes off at the end.
-    // What remains is the rounding of a second difference, six of the greatest, and of its factor.
-    const double rounding = 8.0 * kRounding * f.greatest;
+    // What remains is the rounding of a second difference, eight of the greatest, and of its factor,
+    // three of four times that.
+    const double rounding = 24.0 * kRounding * f.greatest;
     this->Bend[0] = f.n * (f.n - 1.0) * (uu - rounding);
     this->Bend[1] = f.m * (f.m - 1.0) * (vv - rounding);
     this->Twist = f.n > 0 && f.m > 0 ? f.n * static_cast<double>(f.m) * (uv + rounding) : 0.0;
@@ -332,6 +588,13 @@ public:
   {
     const int degree = i == 0 ? this->F.n : this->F.m;
     return degree * (degree - 1.0) * this->GreatestSecond[i];
+  }
+
+  /// Second differences are more than rounding.
+  bool bends() const
+  {
+    const double degree = std::max(this->F.n, this->F.m);
+    return std::max(this->bend(0), this->bend(1)) > 8.0 * degree * degree * this->F.error;
   }
 
   /// The coefficients are not below a number.
@@ -357,9 +620,11 @@ public:
       }
     }
     const Tangent tangent = tangent_of(f, at);
-    // 3 roundings a step of de Casteljau's; slopes are n times differences.
-    const double rounding = kRounding * f.greatest * (3.0 * (f.n + f.m) + 8.0) *
-      (1.0 + 2.0 * f.n + 2.0 * f.m);
+    // Three roundings a step of de Casteljau's, for the value and for slopes, which are n times the
+    // difference of two; then those of parabolas with terms up to 2 n and 2 n² times the greatest.
+    const double degrees = f.n + f.m;
+    const double rounding = kRounding * f.greatest *
+      (3.0 * degrees * (1.0 + 2.0 * degrees) + 32.0 * (f.n * f.n + f.m * f.m) + 16.0);
     double value = tangent.value;
     for (int i = 0; i < 2; ++i)
     {
@@ -387,9 +652,9 @@ public:
       const int along = end == 0 ? k : degree - k;
       return direction == 0 ? f.rows[along][line] : f.rows[line][along];
     };
-    // A slope has n times the error of two coefficients, the parabola's end that of three: 4 n² bounds
-    // both, with the roundings of this sum.
-    const double rounding = kRounding * f.greatest * 8.0 * degree * degree;
+    // In units of the greatest: 6 n² roundings of the bend, 4 n of the slope, and two of each term of
+    // a sum of up to 1 + 2 n + 2 n²; n is at least 2.
+    const double rounding = kRounding * f.greatest * 16.0 * degree * degree;
     for (int line = 0; line <= lines; ++line)
     {
       double bend = kInfinity;

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "footpoint/search/better_foot.h"
+#include "footpoint/search/cell_form-inl.h"
 #include "footpoint/search/certified_search.h"
 #include "footpoint/search/piece_descent-inl.h"
 
@@ -190,6 +191,7 @@ private:
   Verdict prove(const PieceFoot& survivor);
   /// The cells that are left, with their forms relative to the best foot.
   Verdict prove_hard_cells(const PieceQuery& query);
+  double view_of(const PieceQuery& query, CellView& view) const;
   bool improves_at_corner(
     const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f);
   Verdict prove_side(const PieceQuery& query, const Range& cell, const double* f, double error,

@@ -367,161 +367,52 @@ HWY_NOINLINE Finder::Verdict Finder::prove(const PieceFoot& survivor)
   return hard.empty() ? Verdict::Proved : this->prove_hard_cells(query);
 }
 
-/// Three vectors that are orthonormal up to 8 roundings have a sum of squares that is larger than that of
-/// an orthonormal basis by no more than 24 roundings.
-constexpr double kBelowOne = 1.0 - 32.0 * kRounding;
-
-/// Normalizes the first vector and adds two.
-HWY_INLINE void complete_basis(double (*e)[3])
+/// Where the best foot is, and how far F may fall below zero, over w².
+double Finder::view_of(const PieceQuery& query, CellView& view) const
 {
-  const auto normalize = [](double* a)
+  const Piece& piece = *query.piece;
+  const PieceFoot& foot = this->found() ? this->best() : *this->Known;
+  for (int k = 0; k < 3; ++k)
   {
-    const double length = std::sqrt(dot(a, a));
-    for (int k = 0; k < 3; ++k)
-    {
-      a[k] /= length;
-    }
-  };
-  const auto cross = [](const double* a, const double* b, double* c)
-  {
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-  };
-  normalize(e[0]);
-  int least = 0;
-  for (int k = 1; k < 3; ++k)
-  {
-    least = std::abs(e[0][k]) < std::abs(e[0][least]) ? k : least;
+    view.f[k] = foot.position[k] - piece.origin[k];
+    view.r[k] = foot.offset[k];
   }
-  double axis[3] = {};
-  axis[least] = 1.0;
-  cross(e[0], axis, e[1]);
-  normalize(e[1]);
-  cross(e[0], e[1], e[2]);
-}
-
-/// The unit eigenvector of the larger eigenvalue of a symmetric matrix (uu, uv, vv), and both.
-struct Eigen2
-{
-  Pair vector;
-  double larger;
-  double smaller;
-};
-
-HWY_INLINE Eigen2 eigen_of(const Triple& h)
-{
-  const double half = 0.5 * (h[0] - h[2]);
-  const double root = std::sqrt(half * half + h[1] * h[1]);
-  const double x = half >= 0.0 ? half + root : h[1];
-  const double y = half >= 0.0 ? h[1] : root - half;
-  const double length = std::sqrt(x * x + y * y);
-  const double mean = 0.5 * (h[0] + h[2]);
-  return { length > 0.0 ? Pair{ { x / length, y / length } } : Pair{ { 1.0, 0.0 } }, mean + root,
-    mean - root };
-}
-
-/// A direction of space along[0] S_u + along[1] S_v, S_u and S_v by the cell's own parameters, and the
-/// part of the square of that coordinate which is to be subtracted from F.
-struct Stiffest
-{
-  Pair along;
-  double part; ///< at most 1; 0: none
-};
-
-/// Chosen so that what is left of the second derivatives H of ½|S − P|² has as little of a mixed one as
-/// may be. Two choices of the direction e, with g = (e·S_u, e·S_v):
-///   - where S moves most: g is the larger eigenvector of JᵀJ, J = (S_u, S_v), times |S_u|; it always
-///     has its full length;
-///   - g along the larger eigenvector of H, which leaves a multiple of the identity; but where J is
-///     nearly singular, g may be short and so is what can be subtracted.
-HWY_INLINE Stiffest stiffest_of(const Place& place, const double* width)
-{
-  const double mixed = width[0] * width[1];
-  const Triple metric{ { place.metric[0] * width[0] * width[0],
-    (place.jet[0][1] * place.jet[0][2] + place.jet[1][1] * place.jet[1][2] +
-      place.jet[2][1] * place.jet[2][2]) *
-      mixed,
-    place.metric[1] * width[1] * width[1] } };
-  const Triple h{ { place.hessian[0] * width[0] * width[0], place.hessian[1] * mixed,
-    place.hessian[2] * width[1] * width[1] } };
-  // How much of a mixed derivative is left after subtracting part · g gᵀ: uv² / (uu vv).
-  auto left = [&](const Pair& g, double part)
+  // r is off by the rounding of f, of P − origin for either piece and of their difference: another
+  // query, whose distances differ by as much. Of one far away that is too much, but there
+  // |S − P|² − |f − P|² is off by its product with |S − f| only.
+  const double size = this->Query.size;
+  view.offset_error = 4.0 * kRounding *
+    (bound_of_length(query.p) + bound_of_length(view.f) + bound_of_length(piece.origin.data()) +
+      size);
+  // Cutting out a cell moves S by six roundings a degree and end for each of w S and w, shifting it to
+  // f by four.
+  const int degrees = piece.shape->degree[0] + piece.shape->degree[1];
+  double moved = (12.0 * degrees + 8.0) * kRounding * size;
+  constexpr double kSmallPart = 0.1; // of the tolerance
+  if (view.offset_error < kSmallPart * this->Query.tolerance)
   {
-    const double uu = h[0] - part * g[0] * g[0];
-    const double uv = h[1] - part * g[0] * g[1];
-    const double vv = h[2] - part * g[1] * g[1];
-    return uu > 0.0 && vv > 0.0 ? uv * uv / (uu * vv) : kInfinity;
-  };
-  const Eigen2 most = eigen_of(metric);
-  const double x = most.vector[0];
-  const double y = most.vector[1];
-  const double high = x * x * h[0] + 2.0 * x * y * h[1] + y * y * h[2];
-  const double low = y * y * h[0] - 2.0 * x * y * h[1] + x * x * h[2];
-  Stiffest result{ most.vector,
-    most.larger > 0.0 ? std::min(std::max((high - low) / most.larger, 0.0), 1.0) : 0.0 };
-  const double speed = std::sqrt(most.larger);
-  const double left_of_most = left({ { x * speed, y * speed } }, result.part);
-  const Eigen2 stiff = eigen_of(h);
-  const double determinant = metric[0] * metric[2] - metric[1] * metric[1];
-  if (determinant > 0.0)
-  {
-    const Pair along{ { (metric[2] * stiff.vector[0] - metric[1] * stiff.vector[1]) / determinant,
-      (metric[0] * stiff.vector[1] - metric[1] * stiff.vector[0]) / determinant } };
-    const double inverse = along[0] * stiff.vector[0] + along[1] * stiff.vector[1]; // 1 / |g|²
-    const double part = std::min((stiff.larger - stiff.smaller) * inverse, 1.0);
-    const double length = inverse > 0.0 ? 1.0 / std::sqrt(inverse) : 0.0;
-    if (part > 0.0 &&
-      left({ { stiff.vector[0] * length, stiff.vector[1] * length } }, part) < left_of_most)
-    {
-      result = { along, part };
-    }
+    moved += 2.0 * view.offset_error;
+    view.offset_error = 0.0;
   }
-  return result;
+  if (!this->found())
+  {
+    const double limit = this->Query.limit + moved;
+    return (foot.distance - limit) * (foot.distance + limit) * (1.0 - 8.0 * kRounding);
+  }
+  const double tolerance = std::min(this->Query.tolerance - moved, foot.distance);
+  return tolerance * (2.0 * foot.distance - tolerance) * (1.0 - 8.0 * kRounding);
 }
 
 Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
 {
-  const Piece& piece = *query.piece;
-  const PieceShape& shape = *piece.shape;
   std::vector<SearchWorkspace::HardCell>& cells = this->Workspace.hard_cells;
-  // F = w² (|S − P|² − T) = X·X + 2 w X·r + w² c, X = w (S − f), r = f − P.
-  const PieceFoot& foot = this->found() ? this->best() : *this->Known;
-  double f[3];
-  double r[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    f[k] = foot.position[k] - piece.origin[k];
-    r[k] = foot.offset[k];
-  }
-  // r is off by the rounding of f, of P − origin and of their difference: another query, whose
-  // distances differ by as much. Of one far away that is too much, but there the difference between
-  // |S − P|² and |f − P|² is off by its product with |S − f| only.
-  double offset_error = 4.0 * kRounding *
-    (bound_of_length(query.p) + bound_of_length(f) + bound_of_length(piece.origin.data()));
-  // Cutting out a cell moves S by six roundings a degree and end, shifting it to f by four.
-  const int degrees = shape.degree[0] + shape.degree[1];
-  const double limit = this->found() ? foot.distance : this->Query.limit;
-  double tolerance =
-    this->Query.tolerance - (12.0 * degrees + 8.0) * kRounding * this->Query.size;
-  if (offset_error < 0.1 * tolerance)
-  {
-    tolerance -= 2.0 * offset_error;
-    offset_error = 0.0;
-  }
-  tolerance = std::min(tolerance, limit);
-  if (!(tolerance > 0.0))
+  CellView view;
+  const double slack = this->view_of(query, view);
+  if (!(slack > 0.0))
   {
     return Verdict::Open;
   }
-  const double slack = this->found()
-    ? tolerance * (2.0 * limit - tolerance)
-    : (foot.distance - limit) * (foot.distance + limit) * (1.0 - 4.0 * kRounding);
-  CellNet net;
-  CellPolynomial products;
-  CellPolynomial form;
-  CellPolynomial reduced;
-  double along[kMostPoints][kMostPoints];
+  CellPolynomial polynomial;
   for (std::size_t next = 0; next < cells.size(); ++next)
   {
     SearchWorkspace::HardCell cell = cells[next];
@@ -531,72 +422,34 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
       return Verdict::Open;
     }
     const Range range{ cell.lower, cell.upper };
-    cell_net(piece, range, f, net);
-    double greatest[4] = {};
-    double least_weight = kInfinity;
-    for (int i = 0; i <= net.p; ++i)
-    {
-      for (int j = 0; j <= net.q; ++j)
-      {
-        for (int c = 0; c < 4; ++c)
-        {
-          greatest[c] = std::max(greatest[c], std::abs(net.planes[c][i][j]));
-        }
-        least_weight = std::min(least_weight, net.planes[3][i][j]);
-        along[i][j] = 2.0 * (net.planes[0][i][j] * r[0] + net.planes[1][i][j] * r[1] +
-          net.planes[2][i][j] * r[2]);
-      }
-    }
+    const double width[2] = { range.upper[0] - range.lower[0], range.upper[1] - range.lower[1] };
+    CellForm form(*query.piece, range, view);
     if (cell.allowed < 0.0)
     {
-      cell.allowed = slack * least_weight * least_weight * (1.0 - 8.0 * kRounding);
+      cell.allowed = slack * form.least_weight() * form.least_weight();
     }
-    const CellProduct product(net.p, net.q);
-    for (int c = 0; c < 4; ++c)
+    form.distance(polynomial);
+    const CellBounds bounds(polynomial);
+    auto in_cell = [&](const Pair& t)
     {
-      product.scale(net.planes[c]);
-    }
-    product.scale(along);
-    products.n = form.n = reduced.n = 2 * net.p;
-    products.m = form.m = reduced.m = 2 * net.q;
-    CellProduct::clear(products);
-    for (int c = 0; c < 3; ++c)
-    {
-      product.add(1.0, net.planes[c], net.planes[c], products);
-    }
-    product.add(1.0, net.planes[3], along, products);
-    product.finish(products, form);
-    const double roundings = 4.0 * (net.p + 1) * (net.q + 1) + 16.0;
-    form.error = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      form.error += greatest[c] *
-        (roundings * kRounding * (greatest[c] + 2.0 * greatest[3] * std::abs(r[c])) +
-          2.0 * greatest[3] * offset_error);
-    }
-    const CellBounds bounds(form);
-    Pair at;
-    for (int i = 0; i < 2; ++i)
-    {
-      const double t = std::min(std::max(this->Known->t[i], range.lower[i]), range.upper[i]);
-      const double width = range.upper[i] - range.lower[i];
-      at[i] = width > 0.0 ? (t - range.lower[i]) / width : 0.0;
-    }
-    if (bounds.not_below(-cell.allowed, at))
+      Pair at{ { 0.0, 0.0 } };
+      for (int i = 0; i < 2; ++i)
+      {
+        at[i] = width[i] > 0.0
+          ? std::min(std::max((t[i] - range.lower[i]) / width[i], 0.0), 1.0)
+          : 0.0;
+      }
+      return at;
+    };
+    if (bounds.not_below(-cell.allowed, in_cell(this->Known->t)))
     {
       continue;
     }
-    int side = -1;
-    for (int i = 0; i < 2 && side < 0; ++i)
+    if (bounds.monotone(0) >= 0 || bounds.monotone(1) >= 0)
     {
-      side = bounds.monotone(i);
-      if (side >= 0)
-      {
-        (side == 0 ? cell.upper : cell.lower)[i] = (side == 0 ? cell.lower : cell.upper)[i];
-      }
-    }
-    if (side >= 0)
-    {
+      const int i = bounds.monotone(0) >= 0 ? 0 : 1;
+      const bool at_start = bounds.monotone(i) == 0;
+      (at_start ? cell.upper : cell.lower)[i] = (at_start ? cell.lower : cell.upper)[i];
       cells.push_back(cell);
       continue;
     }
@@ -617,97 +470,34 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
         return Verdict::Improved;
       }
     }
-    double width[2];
-    for (int i = 0; i < 2; ++i)
-    {
-      width[i] = range.upper[i] - range.lower[i];
-      at[i] = width[i] > 0.0
-        ? std::min(std::max((place.t[i] - range.lower[i]) / width[i], 0.0), 1.0)
-        : 0.0;
-    }
+    const Pair at = in_cell(place.t);
     if (bounds.supported(-cell.allowed, at))
     {
       continue;
     }
     int cut = bounds.bend(0) > bounds.bend(1) ? 0 : 1;
-    if (net.p > 0 && net.q > 0)
+    const Stiffest stiffest = stiffest_of(place, width);
+    if (form.is_surface() && stiffest.part > 0.0)
     {
-      const Stiffest stiffest = stiffest_of(place, width);
-      const double part = stiffest.part;
-      if (part > 0.0)
+      double direction[3];
+      for (int k = 0; k < 3; ++k)
       {
-        // An orthonormal basis: the stiff direction first.
-        double e[3][3];
-        for (int k = 0; k < 3; ++k)
-        {
-          e[0][k] = stiffest.along[0] * place.jet[k][1] * width[0] +
-            stiffest.along[1] * place.jet[k][2] * width[1];
-        }
-        complete_basis(e);
-        double r_along[3];
-        double centre = 0.0;
-        for (int k = 0; k < 3; ++k)
-        {
-          r_along[k] = dot(e[k], r);
-          centre += e[0][k] * (place.jet[k][0] - f[k]);
-        }
-        const double all = greatest[0] + greatest[1] + greatest[2];
-        const double weight = greatest[3];
-        const double length_of_r = bound_of_length(r);
-        double greatest_along[3] = {};
-        // All planes are multiplied by the binomial coefficients already.
-        for (int i = 0; i <= net.p; ++i)
-        {
-          for (int j = 0; j <= net.q; ++j)
-          {
-            double at_point[3];
-            const double scale = 1.0 / product.scale_of(i, j);
-            for (int k = 0; k < 3; ++k)
-            {
-              at_point[k] = e[k][0] * net.planes[0][i][j] + e[k][1] * net.planes[1][i][j] +
-                e[k][2] * net.planes[2][i][j];
-              greatest_along[k] = std::max(greatest_along[k], std::abs(at_point[k]) * scale);
-            }
-            for (int k = 0; k < 3; ++k)
-            {
-              net.planes[k][i][j] = at_point[k];
-            }
-            along[i][j] = 2.0 * (r_along[0] * at_point[0] + r_along[1] * at_point[1] +
-              r_along[2] * at_point[2]) +
-              part * centre * (2.0 * at_point[0] - centre * net.planes[3][i][j]);
-          }
-        }
-        CellProduct::clear(products);
-        product.add(kBelowOne * (1.0 - part), net.planes[0], net.planes[0], products);
-        product.add(kBelowOne, net.planes[1], net.planes[1], products);
-        product.add(kBelowOne, net.planes[2], net.planes[2], products);
-        product.add(1.0, net.planes[3], along, products);
-        product.finish(products, reduced);
-        const double part_left[3] = { 1.0 - part, 1.0, 1.0 };
-        reduced.error = 2.0 * weight * all * (offset_error + 8.0 * kRounding * length_of_r);
-        for (int k = 0; k < 3; ++k)
-        {
-          reduced.error += greatest_along[k] * part_left[k] *
-              kRounding * (roundings * greatest_along[k] + 16.0 * all) +
-            roundings * kRounding * 2.0 * weight * greatest_along[k] * std::abs(r_along[k]);
-        }
-        reduced.error += roundings * kRounding * weight * part * std::abs(centre) *
-          (2.0 * greatest_along[0] + std::abs(centre) * weight);
-        const CellBounds reduced_bounds(reduced);
-        if (reduced_bounds.not_below(-cell.allowed, at))
-        {
-          continue;
-        }
-        // Where second differences are nothing but rounding, the longer direction.
-        const double bend[2] = { reduced_bounds.bend(0), reduced_bounds.bend(1) };
-        const double noise = 8.0 * reduced.error * std::max(reduced.n * reduced.n, reduced.m * reduced.m);
-        cut = std::max(bend[0], bend[1]) > noise ? (bend[0] > bend[1] ? 0 : 1) : (place.metric[0] * width[0] * width[0] > place.metric[1] * width[1] * width[1] ? 0 : 1);
+        direction[k] = stiffest.along[0] * place.jet[k][1] * width[0] +
+          stiffest.along[1] * place.jet[k][2] * width[1];
       }
+      form.reduced(direction, stiffest.part, place, polynomial);
+      const CellBounds reduced(polynomial);
+      if (reduced.not_below(-cell.allowed, at))
+      {
+        continue;
+      }
+      // Where second differences are nothing but rounding, the longer direction.
+      const bool along_u = reduced.bends()
+        ? reduced.bend(0) > reduced.bend(1)
+        : place.metric[0] * width[0] * width[0] > place.metric[1] * width[1] * width[1];
+      cut = along_u ? 0 : 1;
     }
-    if (width[cut] == 0.0)
-    {
-      cut = 1 - cut;
-    }
+    cut = width[cut] > 0.0 ? cut : 1 - cut;
     const double middle = 0.5 * (range.lower[cut] + range.upper[cut]);
     if (!(middle > range.lower[cut] && middle < range.upper[cut]))
     {
