@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The distance form of a small cell, formed anew from the control net relative to the best foot, and
-// lower bounds of such polynomials (Documentation/CertifiedSearch.md, "Hard cells"). Compiled once for
-// each set of vector instructions (the guard of Highway's "-inl.h" headers).
+// The distance form of a small cell, formed anew from the control net relative to the best foot,
+// and lower bounds of such polynomials (Documentation/CertifiedSearch.md, "Hard cells"). Compiled
+// once for each set of vector instructions (the guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_CELL_FORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_CELL_FORM_INL_H
 #undef FOOTPOINT_CELL_FORM_INL_H
@@ -25,8 +25,8 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// Degrees of splines end at 31 (KnotVector): so many control points along one direction, and so many
-/// coefficients of a product, padded for vectors of eight.
+/// Degrees end at 30 (kMaximumDegree): so many control points along one direction, and so
+/// many coefficients of a product, padded for vectors of eight.
 constexpr int kMostPoints = 32;
 constexpr int kMostTerms = 64;
 
@@ -40,8 +40,8 @@ struct CellPolynomial
   double rows[kMostTerms][kMostTerms];
 };
 
-/// The polygon of [0, 1] becomes that of [lower, upper] (de Casteljau 1959); one point where these are
-/// the same. Three roundings a step and end, 6 · degree in all.
+/// The polygon of [0, 1] becomes that of [lower, upper] (de Casteljau 1959); one point where these
+/// are the same. Three roundings a step and end, 6 · degree in all.
 HWY_INLINE void restrict_polygon(double* values, int degree, double lower, double upper)
 {
   if (upper < 1.0)
@@ -69,8 +69,8 @@ HWY_INLINE void restrict_polygon(double* values, int degree, double lower, doubl
   }
 }
 
-/// Control points of a cell, w (S − origin) and w, one plane a coordinate. A direction in which the cell
-/// has no width gets degree 0.
+/// Control points of a cell, w (S − origin) and w, one plane a coordinate. A direction in which the
+/// cell has no width gets degree 0.
 struct CellNet
 {
   int p;
@@ -212,8 +212,8 @@ private:
   Binomials VV;
 };
 
-/// Three vectors that are orthonormal up to 8 roundings have a sum of squares that is larger than that of
-/// an orthonormal basis by no more than 24 roundings.
+/// Three vectors that are orthonormal up to 8 roundings have a sum of squares that is larger than
+/// that of an orthonormal basis by no more than 24 roundings.
 constexpr double kBelowOne = 1.0 - 32.0 * kRounding;
 
 /// Normalizes the first vector and adds two.
@@ -266,18 +266,18 @@ HWY_INLINE Eigen2 eigen_of(const Triple& h)
     mean - root };
 }
 
-/// A direction of space along[0] S_u + along[1] S_v, S_u and S_v by the cell's own parameters, and the
-/// part of the square of that coordinate which is to be subtracted from F.
+/// A direction of space along[0] S_u + along[1] S_v, S_u and S_v by the cell's own parameters, and
+/// the part of the square of that coordinate which is to be subtracted from F.
 struct Stiffest
 {
   Pair along;
   double part; ///< at most 1; 0: none
 };
 
-/// Chosen so that what is left of the second derivatives H of ½|S − P|² has as little of a mixed one as
-/// may be. Two choices of the direction e, with g = (e·S_u, e·S_v):
-///   - where S moves most: g is the larger eigenvector of JᵀJ, J = (S_u, S_v), times |S_u|; it always
-///     has its full length;
+/// Chosen so that what is left of the second derivatives H of ½|S − P|² has as little of a mixed
+/// one as may be. Two choices of the direction e, with g = (e·S_u, e·S_v):
+///   - where S moves most: g is the larger eigenvector of JᵀJ, J = (S_u, S_v), times the larger
+///     singular value; it always has its full length;
 ///   - g along the larger eigenvector of H, which leaves a multiple of the identity; but where J is
 ///     nearly singular, g may be short and so is what can be subtracted.
 HWY_INLINE Stiffest stiffest_of(const Place& place, const double* width)
@@ -333,8 +333,8 @@ struct CellView
   double offset_error; ///< of r, each coordinate
 };
 
-/// The distance form of one cell, F = w² (|S − P|² − |r|²) = X·X + 2 w X·r with X = w (S − f), and what
-/// is left of it below the square of a coordinate.
+/// The distance form of one cell, F = w² (|S − P|² − |r|²) = X·X + 2 w X·r with X = w (S − f), and
+/// what is left of it below the square of a coordinate.
 class CellForm
 {
 public:
@@ -391,8 +391,9 @@ public:
     }
   }
 
-  /// Coefficients of F − part · (X·e − w μ)², e the unit vector along a direction and μ its coordinate
-  /// at a place: no number in them is as large as that square. Turns the net: call it last.
+  /// Coefficients of F − part · (X·e − w μ)², e the unit vector along a direction and μ its
+  /// coordinate at a place: no number in them is as large as that square. Turns the net: call it
+  /// last.
   void reduced(const double* direction, double part, const Place& place, CellPolynomial& form)
   {
     auto& planes = this->Net.planes;
@@ -432,8 +433,8 @@ public:
     }
     this->Product.add(1.0, planes[3], this->Along, form);
     this->Product.finish(form);
-    // A turned coordinate is off by three roundings of all of X. Of 2 w X·r all that a basis which is
-    // orthonormal up to 24 roundings, the turned r and X leave out.
+    // A turned coordinate is off by three roundings of all of X. Of 2 w X·r all that a basis which
+    // is orthonormal up to 24 roundings, the turned r and X leave out.
     const double all = this->Greatest[0] + this->Greatest[1] + this->Greatest[2];
     const double weight = this->Greatest[3];
     form.error = 2.0 * weight * all *
@@ -566,8 +567,8 @@ public:
       }
     }
     // Of the polynomial with just these coefficients: the error of its values comes off at the end.
-    // What remains is the rounding of a second difference, eight of the greatest, and of its factor,
-    // three of four times that.
+    // What remains is the rounding of a second difference, eight of the greatest, and of its
+    // factor, three of four times that.
     const double rounding = 24.0 * kRounding * f.greatest;
     this->Bend[0] = f.n * (f.n - 1.0) * (uu - rounding);
     this->Bend[1] = f.m * (f.m - 1.0) * (vv - rounding);
@@ -652,8 +653,8 @@ public:
       const int along = end == 0 ? k : degree - k;
       return direction == 0 ? f.rows[along][line] : f.rows[line][along];
     };
-    // In units of the greatest: 6 n² roundings of the bend, 4 n of the slope, and two of each term of
-    // a sum of up to 1 + 2 n + 2 n²; n is at least 2.
+    // In units of the greatest: 6 n² roundings of the bend, 4 n of the slope, and two of each term
+    // of a sum of up to 1 + 2 n + 2 n²; n is at least 2.
     const double rounding = kRounding * f.greatest * 16.0 * degree * degree;
     for (int line = 0; line <= lines; ++line)
     {

@@ -28,10 +28,11 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Cells of one piece that are halved by their coefficients: an ordinary piece needs fewer than ten.
+/// Cells of one piece that are halved by their coefficients: an ordinary piece needs fewer than
+/// ten.
 constexpr int kMostCells = 200;
-/// Cells of one query that have their coefficients formed anew afterwards, some microseconds each; and
-/// how many of these every piece may have even if others have used them up.
+/// Cells of one query that have their coefficients formed anew afterwards, some microseconds each;
+/// and how many of these every piece may have even if others have used them up.
 constexpr int kMostHardCells = 2000;
 constexpr std::size_t kFewestHardCells = 64;
 /// How often a cell or a line may be halved by its coefficients.

@@ -86,7 +86,8 @@ struct CertifiedAnswer
 ///   - all coefficients of F are positive; or
 ///   - F is monotone along a direction and the side in question holds nothing nearer; or
 ///   - F is convex and its tangent plane at one point is positive over the cell;
-/// otherwise it is halved. Documentation/CertifiedSearch.md derives the margins for rounding.
+/// otherwise it is halved. Cells that resist have their form taken anew relative to the foot, less the
+/// square of the coordinate that is steepest. Documentation/CertifiedSearch.md derives all margins.
 class CertifiedSearch
 {
 public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The proof that a piece holds nothing nearer than the best foot: the members of Finder that belong to
-// it (Documentation/CertifiedSearch.md). Included by certified_search.cpp after the class, once for
-// each set of vector instructions.
+// The proof that a piece holds nothing nearer than the best foot: the members of Finder that belong
+// to it (Documentation/CertifiedSearch.md). Included by certified_search.cpp after the class, once
+// for each set of vector instructions.
 #if defined(FOOTPOINT_PIECE_PROOF_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_PIECE_PROOF_INL_H
 #undef FOOTPOINT_PIECE_PROOF_INL_H
@@ -21,7 +21,7 @@ namespace
 {
 
 /// \param error a first difference beyond this has its sign in exact numbers
-HWY_NOINLINE Slopes Finder::slopes_of(const PieceShape& shape, const double* f, double error)
+Slopes Finder::slopes_of(const PieceShape& shape, const double* f, double error)
 {
   const hn::CappedTag<double, 8> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
@@ -76,14 +76,14 @@ HWY_NOINLINE Slopes Finder::slopes_of(const PieceShape& shape, const double* f, 
   return { -1, 0, along_u ? 0 : 1, hn::GetLane(hn::MaxOfLanes(tag, greatest)) };
 }
 
-/// Whether the matrices of second derivatives are positive definite as coefficients of the common degree
-/// (n, m): from raising the degrees of the second differences,
-///   F_uu: i(i−1) D_{i−2} + 2 i(n−i) D_{i−1} + (n−i)(n−i−1) D_i  for each column, likewise F_vv, and
+/// Whether the matrices of second derivatives are positive definite as coefficients of the common
+/// degree (n, m): from raising the degrees of the second differences,
+///   F_uu: i(i−1) D_{i−2} + 2 i(n−i) D_{i−1} + (n−i)(n−i−1) D_i  for each column, likewise F_vv;
 ///   F_uv: i j D_{i−1,j−1} + i(m−j) D_{i−1,j} + (n−i) j D_{i,j−1} + (n−i)(m−j) D_{ij}.
-/// Positive definite matrices make a convex cone, so F is convex. Far less is lost than by comparing the
-/// extremes of each, since where one of them is large the others are.
+/// Positive definite matrices make a convex cone, so F is convex. Far less is lost than by
+/// comparing the extremes of each, since where one of them is large the others are.
 /// \param error of a second difference, and of the rounding here
-HWY_NOINLINE bool Finder::is_convex(const PieceShape& shape, const double* f, double error)
+bool Finder::is_convex(const PieceShape& shape, const double* f, double error)
 {
   const hn::CappedTag<double, 8> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
@@ -115,8 +115,7 @@ HWY_NOINLINE bool Finder::is_convex(const PieceShape& shape, const double* f, do
         hn::Mul(rest, hn::Sub(hn::LoadU(tag, row + 1), here)));
     };
     auto here = level(0);
-    auto step_before = zero; // differences of rows i − 1 and i, i and i + 1
-    auto step = n > 0 ? hn::Sub(level(1), here) : zero;
+    auto step = n > 0 ? hn::Sub(level(1), here) : zero; // from row i to row i + 1
     auto second_before_that = zero; // second differences from row i − 2 and i − 1 on
     auto second_before = zero;
     auto twist_before = zero;
@@ -160,7 +159,6 @@ HWY_NOINLINE bool Finder::is_convex(const PieceShape& shape, const double* f, do
         second_before_that = second_before;
         second_before = second;
         twist_before = twist;
-        step_before = step;
         step = step_after;
         const auto a = hn::Sub(uu, error_uu);
         const auto b = hn::Add(hn::Abs(uv), error_uv);
@@ -171,14 +169,13 @@ HWY_NOINLINE bool Finder::is_convex(const PieceShape& shape, const double* f, do
         return false;
       }
     }
-    static_cast<void>(step_before);
   }
   return true;
 }
 
 /// Cuts a cell in the middle (de Casteljau 1959): its coefficients become those of the lower half.
 /// \return the smallest coefficient of either half
-HWY_NOINLINE Pair Finder::halve(const PieceShape& shape, double* f, int direction, double* upper)
+Pair Finder::halve(const PieceShape& shape, double* f, int direction, double* upper)
 {
   const hn::CappedTag<double, 8> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
@@ -248,7 +245,7 @@ HWY_NOINLINE Pair Finder::halve(const PieceShape& shape, double* f, int directio
 
 // === The proof ===
 
-HWY_NOINLINE bool Finder::prove_all()
+bool Finder::prove_all()
 {
   if (this->found() && this->best().distance <= this->Query.tolerance)
   {
@@ -269,7 +266,7 @@ HWY_NOINLINE bool Finder::prove_all()
   return proved || (this->found() && this->best().distance <= this->Query.tolerance);
 }
 
-HWY_NOINLINE Finder::Verdict Finder::prove(const PieceFoot& survivor)
+Finder::Verdict Finder::prove(const PieceFoot& survivor)
 {
   const PieceQuery query = this->at(survivor.piece);
   const Piece& piece = *query.piece;
@@ -384,8 +381,8 @@ double Finder::view_of(const PieceQuery& query, CellView& view) const
   view.offset_error = 4.0 * kRounding *
     (bound_of_length(query.p) + bound_of_length(view.f) + bound_of_length(piece.origin.data()) +
       size);
-  // Cutting out a cell moves S by six roundings a degree and end for each of w S and w, shifting it to
-  // f by four.
+  // Cutting out a cell moves S by six roundings a degree and end for each of w S and w, shifting it
+  // to f by four.
   const int degrees = piece.shape->degree[0] + piece.shape->degree[1];
   double moved = (12.0 * degrees + 8.0) * kRounding * size;
   constexpr double kSmallPart = 0.1; // of the tolerance
@@ -516,8 +513,8 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
   return Verdict::Proved;
 }
 
-/// The coefficients at the corners are values of F: where one is negative the corner itself is nearer
-/// than the best foot, and a descent from there finds what is nearer still.
+/// The coefficients at the corners are values of F: where one is negative the corner itself is
+/// nearer than the best foot, and a descent from there finds what is nearer still.
 bool Finder::improves_at_corner(
   const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f)
 {
