@@ -113,11 +113,11 @@ struct CellNet
 };
 
 /// Binomial coefficients of one degree, padded with ones.
-struct Binomials
+struct PaddedBinomials
 {
   double row[kMostTerms];
 
-  explicit Binomials(int n)
+  explicit PaddedBinomials(int n)
   {
     std::fill(this->row, this->row + kMostTerms, 1.0);
     for (int k = 1; k < n; ++k)
@@ -206,10 +206,10 @@ public:
 private:
   int P;
   int Q;
-  Binomials U;
-  Binomials V;
-  Binomials UU;
-  Binomials VV;
+  PaddedBinomials U;
+  PaddedBinomials V;
+  PaddedBinomials UU;
+  PaddedBinomials VV;
 };
 
 /// Three vectors that are orthonormal up to 8 roundings have a sum of squares that is larger than
@@ -284,9 +284,7 @@ HWY_INLINE Stiffest stiffest_of(const Place& place, const double* width)
 {
   const double mixed = width[0] * width[1];
   const Triple metric{ { place.metric[0] * width[0] * width[0],
-    (place.jet[0][1] * place.jet[0][2] + place.jet[1][1] * place.jet[1][2] +
-      place.jet[2][1] * place.jet[2][2]) *
-      mixed,
+    dot(place.jet[kSu], place.jet[kSv]) * mixed,
     place.metric[1] * width[1] * width[1] } };
   const Triple h{ { place.hessian[0] * width[0] * width[0], place.hessian[1] * mixed,
     place.hessian[2] * width[1] * width[1] } };
@@ -405,7 +403,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       r[k] = dot(e[k], this->View.r);
-      centre += e[0][k] * (place.jet[k][0] - this->View.f[k]);
+      centre += e[0][k] * (place.jet[kS][k] - this->View.f[k]);
     }
     double greatest[3] = {};
     // All planes are multiplied by the binomial coefficients already.

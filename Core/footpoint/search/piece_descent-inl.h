@@ -10,6 +10,7 @@
 #endif
 
 #include "footpoint/search/distance_forms.h"
+#include "footpoint/splines/binomials.h"
 
 #include <hwy/highway.h>
 
@@ -60,30 +61,6 @@ HWY_INLINE double bound_of_length(const double* a)
 {
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
-
-/// Degrees of the pieces go up to this (validated when a knot vector is made).
-constexpr int kMostDegree = 31;
-
-struct Binomials
-{
-  double value[kMostDegree + 1][kMostDegree + 1];
-};
-
-constexpr Binomials make_binomials()
-{
-  Binomials result{};
-  for (int n = 0; n <= kMostDegree; ++n)
-  {
-    result.value[n][0] = 1.0;
-    for (int k = 1; k <= n; ++k)
-    {
-      result.value[n][k] = result.value[n - 1][k - 1] + (k < n ? result.value[n - 1][k] : 0.0);
-    }
-  }
-  return result;
-}
-
-constexpr Binomials kBinomials = make_binomials();
 
 /// Bernstein polynomials of degree n and their first two derivatives.
 HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
@@ -257,8 +234,8 @@ HWY_INLINE void store_entry(D tag, hn::Vec<D> value, double* entry)
 template <int P, int Q, bool Rational>
 HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
 {
-  constexpr int kMostRows = P >= 0 ? P + 1 : kMostDegree + 1;
-  constexpr int kMostColumns = (Q >= 0 ? Q + 1 : kMostDegree + 1) + 1;
+  constexpr int kMostRows = P >= 0 ? P + 1 : kMaximumDegree + 1;
+  constexpr int kMostColumns = (Q >= 0 ? Q + 1 : kMaximumDegree + 1) + 1;
   const Piece& piece = *query.piece;
   const int p = P >= 0 ? P : piece.shape->degree[0];
   const int q = Q >= 0 ? Q : piece.shape->degree[1];

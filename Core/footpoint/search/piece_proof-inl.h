@@ -479,8 +479,8 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
       double direction[3];
       for (int k = 0; k < 3; ++k)
       {
-        direction[k] = stiffest.along[0] * place.jet[k][1] * width[0] +
-          stiffest.along[1] * place.jet[k][2] * width[1];
+        direction[k] = stiffest.along[0] * place.jet[kSu][k] * width[0] +
+          stiffest.along[1] * place.jet[kSv][k] * width[1];
       }
       form.reduced(direction, stiffest.part, place, polynomial);
       const CellBounds reduced(polynomial);

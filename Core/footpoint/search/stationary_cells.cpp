@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/search/stationary_cells.h"
 
+#include "footpoint/splines/binomials.h"
+
 #include "footpoint/search/bernstein_zeros.h"
 #include "footpoint/search/box_traversal.h"
 
@@ -31,16 +33,6 @@ struct Form
   double& at(int i, int j) { return this->coefficients[i * this->columns() + j]; }
   double at(int i, int j) const { return this->coefficients[i * this->columns() + j]; }
 };
-
-std::vector<double> binomials(int n)
-{
-  std::vector<double> row{ 1.0 };
-  for (int k = 1; k <= n; ++k)
-  {
-    row.push_back(row.back() * (n - k + 1) / k);
-  }
-  return row;
-}
 
 /// Multiplies or divides by the binomial coefficients, which turns a product of polynomials into a
 /// convolution of coefficients and back.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/splines/knot_vector.h"
+
 #include <vector>
 
 namespace footpoint
@@ -16,5 +18,24 @@ inline std::vector<double> binomials(int n)
   }
   return row;
 }
+
+/// The same for all degrees of splines, without memory of its own.
+struct BinomialTable
+{
+  double value[kMaximumDegree + 1][kMaximumDegree + 1] = {};
+
+  constexpr BinomialTable()
+  {
+    for (int n = 0; n <= kMaximumDegree; ++n)
+    {
+      this->value[n][0] = 1.0;
+      for (int k = 1; k <= n; ++k)
+      {
+        this->value[n][k] = this->value[n - 1][k - 1] + this->value[n - 1][k];
+      }
+    }
+  }
+};
+inline constexpr BinomialTable kBinomials;
 
 } // namespace footpoint
