@@ -251,7 +251,9 @@ bool Finder::prove_all()
   {
     return true; // no distance is negative
   }
-  bool proved = true;
+  // Pieces are left out under a bound that some point gives. Where no foot is as near (rounding made that
+  // point nearer than it is, or a descent from it failed), they are not proved.
+  bool proved = !this->found() || this->best().distance <= this->Bound + this->Query.tolerance;
   for (std::size_t k = 0; k < this->Workspace.survivors.size(); ++k)
   {
     const PieceFoot survivor = this->Workspace.survivors[k];
