@@ -42,7 +42,7 @@ constexpr std::uint64_t kQueriesPerGeometry = kSlowBuild ? 6 : 100;
 /// A known shortfall: bilinear strips and collapsed sides with weights that alternate by 10⁶ leave
 /// pieces so steep that descents stall and the work runs out before there is a proof; the search says
 /// so, and of those queries a few feet are not the nearest. Usual are 0.2 % unproved (one geometry of a
-/// shard may hold most of them), and of 350,000 queries nine too far by at most 2e-8. At most this part
+/// shard may hold most of them), and of 760,000 queries eleven too far by at most 2e-8. At most this part
 /// of the queries may be unproved, this part of them all too far, and by no more than this part of the
 /// size. What is certified is never wrong.
 constexpr double kUncertified = 0.01;
@@ -273,7 +273,7 @@ void conclude(const Tally& tally)
   EXPECT_LE(static_cast<double>(tally.not_converged), std::max(5.0, 0.01 * queries));
   EXPECT_LE(static_cast<double>(tally.unproved_too_far), std::max(5.0, kUncertifiedTooFar * queries));
   EXPECT_LE(static_cast<double>(tally.queries - tally.certified),
-    std::max(20.0, kUncertified * queries));
+    std::max(100.0, kUncertified * queries));
 }
 
 // === Runs
