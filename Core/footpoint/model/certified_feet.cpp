@@ -187,6 +187,33 @@ bool CertifiedFeet::visit_start(const PieceStart& start, const VisitPart& visit)
   return visit(piece.patch, result, lower, upper);
 }
 
+bool CertifiedFeet::at_one_pole(const PieceFoot& a, const PieceFoot& b) const
+{
+  if (this->member(a) != this->member(b) || this->Members[this->member(a)].patch->curve)
+  {
+    return false;
+  }
+  const Patch& patch = *this->Members[this->member(a)].patch;
+  for (int i = 0; i < 2; ++i)
+  {
+    const Direction& direction = direction_of(patch, i);
+    const auto at = [&](const PieceFoot& foot, int end)
+    {
+      const Piece& piece = this->Search.piece(foot.piece);
+      return foot.t[i] == end &&
+        (end == 0 ? piece.lower[i] == 0.0 : piece.upper[i] == direction.length);
+    };
+    for (int end = 0; end < 2; ++end)
+    {
+      if (direction.collapsed[end] && at(a, end) && at(b, end))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const
 {
   const Piece& piece = this->Search.piece(foot.piece);

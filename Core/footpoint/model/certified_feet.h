@@ -56,6 +56,9 @@ public:
     return static_cast<std::size_t>(this->Search.piece(foot.piece).patch);
   }
 
+  /// Whether two feet lie on the same collapsed side of a patch and so are one point.
+  bool at_one_pole(const PieceFoot& a, const PieceFoot& b) const;
+
   /// Where a foot lies, for a descent on the whole patch to start from; its type is left open.
   PatchFoot patch_foot(const PieceFoot& foot) const;
 

@@ -151,9 +151,24 @@ Foot PointInverter::Implementation::nearest_certified(
   {
     return foot;
   }
+  // Of the feet at a pole, one from each piece, the first in u and v stands for all.
+  std::vector<int> distinct;
+  for (int k = 0; k < answer.count; ++k)
+  {
+    const auto same = std::find_if(distinct.begin(), distinct.end(),
+      [&](int i) { return certified.at_one_pole(answer.feet[i], answer.feet[k]); });
+    if (same == distinct.end())
+    {
+      distinct.push_back(k);
+      continue;
+    }
+    const Parameter<2> a = certified.patch_foot(answer.feet[k]).parameter;
+    const Parameter<2> b = certified.patch_foot(answer.feet[*same]).parameter;
+    *same = a(0) < b(0) || (a(0) == b(0) && a(1) < b(1)) ? k : *same;
+  }
   // A foot on the border of a piece need not be a minimum of the whole patch.
   std::vector<Candidate> feet;
-  for (int k = 0; k < answer.count; ++k)
+  for (const int k : distinct)
   {
     const std::size_t patch = certified.member(answer.feet[k]);
     feet.push_back(
