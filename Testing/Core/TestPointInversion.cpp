@@ -439,6 +439,28 @@ TEST(Batch, ProgressAndCancel)
   }
 }
 
+TEST(Batch, HandsOverTheSameFeetInParts)
+{
+  const PointInverter inverter(model_of(plate(0, 1)));
+  const Points points = random_points(70000, 8, 0, 1);
+  const InversionResult whole = footpoint::invert(inverter, points);
+  std::int64_t next = 0;
+  int parts = 0;
+  footpoint::invert(inverter, points, {}, {},
+    [&](std::int64_t first, const InversionResult& part)
+    {
+      EXPECT_EQ(first, next);
+      EXPECT_FALSE(part.cancelled);
+      for (const Foot& foot : part.feet)
+      {
+        EXPECT_TRUE(identical(foot, whole.feet[next++]));
+      }
+      ++parts;
+    });
+  EXPECT_EQ(next, 70000);
+  EXPECT_GT(parts, 1);
+}
+
 TEST(Batch, BreaksOffAPieceThatTakesLong)
 {
   // A user who cancels waits for less than a second; where nobody cancels nothing is lost.

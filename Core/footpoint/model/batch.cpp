@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/point_inversion.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 
 namespace footpoint
 {
@@ -27,6 +28,9 @@ constexpr std::chrono::milliseconds kLatest{ 400 };
 constexpr std::int64_t kFirstPiece = 64;
 constexpr std::int64_t kLargestPiece = 8192;
 constexpr double kGrowth = 8.0;
+/// The clock is looked at so often in a piece of the usual points: to ask it for each would take
+/// some percent of the time of fast queries.
+constexpr std::int64_t kLooks = 64;
 
 /// A word of the order along the curve: three coordinates of so many bits each, then the number of
 /// the point in its block. (Points crowd together where others are 1e4 times as far out; then they
@@ -45,25 +49,6 @@ Foot not_reached()
   Foot foot;
   foot.status = Status::NotConverged;
   return foot;
-}
-
-/// The feet of one point: the one for `feet` and, if asked for, all.
-struct Answer
-{
-  Foot foot;
-  std::vector<Foot> all;
-};
-
-Answer answer(const PointInverter& inverter, const Vector3& point, const Start& start, bool all,
-  PointInverter::Workspace& workspace)
-{
-  Answer result;
-  result.foot = inverter.find(point, start, workspace);
-  if (all)
-  {
-    result.all = inverter.find_all(point, start);
-  }
-  return result;
 }
 
 void append(InversionResult& result, std::int64_t point, const std::vector<Foot>& feet)
@@ -166,18 +151,18 @@ private:
 
 } // namespace
 
-InversionResult invert(const PointInverter& inverter, const Points& points,
-  const std::vector<Start>& starts, const Execution& execution)
+void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& points,
+  const std::vector<Start>& starts, const Execution& execution, const FeetTaker& take)
 {
   const bool all = wants_all(inverter.options());
   const std::int64_t count = points.cols();
-  InversionResult result;
-  result.feet.assign(count, not_reached());
+  InversionResult result; // of one block
   Pace pace;
   for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += kBlock)
   {
     const std::int64_t block = std::min(kBlock, count - begin);
     std::vector<std::int32_t> order = order_along_curve(points.middleCols(begin, block));
+    result.feet.resize(block);
     std::vector<std::vector<Foot>> every(all ? block : 0);
     std::vector<char> reached(block, 0); // no bool, of which threads would share words
     for (auto next = order.begin(); next != order.end() && !result.cancelled;)
@@ -187,15 +172,26 @@ InversionResult invert(const PointInverter& inverter, const Points& points,
         [&](std::int64_t from, std::int64_t to)
         {
           PointInverter::Workspace workspace;
-          for (std::int64_t i = from; i < to && (i == 0 || !pace.late()); ++i)
+          const std::int64_t stride = std::max<std::int64_t>(pace.piece() / kLooks, 1);
+          for (std::int64_t i = from; i < to; ++i)
           {
+            // The first point is always done, so that there is progress.
+            if (i > 0 && (i - from) % stride == 0 && pace.late())
+            {
+              break;
+            }
+            // Points are near each other in space, not in memory.
+            if (i + 1 < to)
+            {
+              hwy::Prefetch(points.col(begin + next[i + 1]).data());
+            }
             const std::int32_t k = next[i];
+            const Vector3 point = points.col(begin + k);
             const Start start = starts.empty() ? Start{} : starts[begin + k];
-            Answer found = answer(inverter, points.col(begin + k), start, all, workspace);
-            result.feet[begin + k] = found.foot;
+            result.feet[k] = inverter.find(point, start, workspace);
             if (all)
             {
-              every[k] = std::move(found.all);
+              every[k] = inverter.find_all(point, start);
             }
             reached[k] = 1;
           }
@@ -208,17 +204,40 @@ InversionResult invert(const PointInverter& inverter, const Points& points,
       const std::int64_t done = begin + (next - order.begin());
       result.cancelled =
         !execution.proceed(static_cast<double>(done) / static_cast<double>(count)) && done < count;
+      std::for_each(result.cancelled ? next : order.end(), order.end(),
+        [&](std::int32_t k) { result.feet[k] = not_reached(); });
     }
+    result.all_feet.clear();
+    result.all_feet_point.clear();
     for (std::size_t k = 0; k < every.size(); ++k)
     {
       append(result, begin + static_cast<std::int64_t>(k), every[k]);
     }
+    take(begin, result);
   }
+}
+
+InversionResult invert(const PointInverter& inverter, const Eigen::Ref<const Points>& points,
+  const std::vector<Start>& starts, const Execution& execution)
+{
+  InversionResult result;
+  result.feet.reserve(points.cols());
+  invert(inverter, points, starts, execution,
+    [&](std::int64_t, const InversionResult& part)
+    {
+      const auto add = [](auto& all, const auto& some)
+      { all.insert(all.end(), some.begin(), some.end()); };
+      add(result.feet, part.feet);
+      add(result.all_feet, part.all_feet);
+      add(result.all_feet_point, part.all_feet_point);
+      result.cancelled = part.cancelled;
+    });
+  result.feet.resize(points.cols(), not_reached());
   return result;
 }
 
 InversionResult invert_sequence(
-  const PointInverter& inverter, const Points& points, const Execution& execution)
+  const PointInverter& inverter, const Eigen::Ref<const Points>& points, const Execution& execution)
 {
   const bool all = wants_all(inverter.options());
   const std::int64_t count = points.cols();
@@ -230,13 +249,16 @@ InversionResult invert_sequence(
   std::int64_t since = 0;
   for (std::int64_t k = 0; k < count && !result.cancelled; ++k)
   {
-    Answer found = answer(inverter, points.col(k), start, all, workspace);
-    result.feet[k] = found.foot;
-    append(result, k, found.all);
-    // A point without a foot leaves the start where it was.
-    if (found.foot.face >= 0)
+    const Vector3 point = points.col(k);
+    const Foot& foot = result.feet[k] = inverter.find(point, start, workspace);
+    if (all)
     {
-      start = { found.foot.face, found.foot.parameter };
+      append(result, k, inverter.find_all(point, start));
+    }
+    // A point without a foot leaves the start where it was.
+    if (foot.face >= 0)
+    {
+      start = { foot.face, foot.parameter };
     }
     if (++since == pace.piece() || k + 1 == count)
     {

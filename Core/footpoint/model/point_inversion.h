@@ -134,12 +134,21 @@ struct InversionResult
 /// the threads, the points beside it and their order. Looks at progress every tenth of a second.
 /// \param points one a column
 /// \param starts empty, or one for each point
-InversionResult invert(const PointInverter& inverter, const Points& points,
+InversionResult invert(const PointInverter& inverter, const Eigen::Ref<const Points>& points,
   const std::vector<Start>& starts = {}, const Execution& execution = {});
+
+/// Is given the feet of the points from number `first` on. `all_feet_point` counts from the very
+/// first point. The calling thread hands over some thousands at a time, in the order of the points.
+using FeetTaker = std::function<void(std::int64_t first, const InversionResult& part)>;
+
+/// The same for who turns feet into something else: they are still in the cache when they are
+/// taken, and never all in memory. A part that is cancelled is the last.
+void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& points,
+  const std::vector<Start>& starts, const Execution& execution, const FeetTaker& take);
 
 /// The same one point after the other, each started from the foot of the one before (points along a
 /// path). The only mode in which results depend on the order of points.
-InversionResult invert_sequence(
-  const PointInverter& inverter, const Points& points, const Execution& execution = {});
+InversionResult invert_sequence(const PointInverter& inverter,
+  const Eigen::Ref<const Points>& points, const Execution& execution = {});
 
 } // namespace footpoint
