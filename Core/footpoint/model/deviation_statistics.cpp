@@ -30,33 +30,31 @@ private:
 
 } // namespace
 
-DeviationStatistics deviation_statistics(const std::vector<Foot>& feet, double tolerance)
+void Deviations::add(const Foot& foot)
+{
+  ++this->status_counts[static_cast<int>(foot.status)];
+  if (!std::isnan(foot.distance))
+  {
+    this->values.push_back(std::isnan(foot.signed_distance) ? foot.distance : foot.signed_distance);
+  }
+}
+
+DeviationStatistics Deviations::statistics(double tolerance) const
 {
   DeviationStatistics result;
-  std::vector<double> values;
-  std::vector<double> magnitudes;
-  for (const Foot& foot : feet)
-  {
-    ++result.status_counts[static_cast<int>(foot.status)];
-    if (std::isnan(foot.distance))
-    {
-      continue;
-    }
-    values.push_back(std::isnan(foot.signed_distance) ? foot.distance : foot.signed_distance);
-    magnitudes.push_back(foot.distance);
-  }
-  result.count = static_cast<std::int64_t>(values.size());
-  if (values.empty())
+  result.status_counts = this->status_counts;
+  result.count = static_cast<std::int64_t>(this->values.size());
+  if (this->values.empty())
   {
     return result;
   }
-  const double count = static_cast<double>(values.size());
-  const auto ends = std::minmax_element(values.begin(), values.end());
+  const double count = static_cast<double>(this->values.size());
+  const auto ends = std::minmax_element(this->values.begin(), this->values.end());
   result.minimum = *ends.first;
   result.maximum = *ends.second;
   CompensatedSum sum;
   CompensatedSum squares;
-  for (const double value : values)
+  for (const double value : this->values)
   {
     sum.add(value);
     squares.add(value * value);
@@ -66,11 +64,14 @@ DeviationStatistics deviation_statistics(const std::vector<Foot>& feet, double t
   // Two passes: the difference of large squares would cancel.
   CompensatedSum deviations;
   std::int64_t outside = 0;
-  for (std::size_t k = 0; k < values.size(); ++k)
+  std::vector<double> magnitudes;
+  magnitudes.reserve(this->values.size());
+  for (const double value : this->values)
   {
-    const double deviation = values[k] - result.mean;
+    const double deviation = value - result.mean;
     deviations.add(deviation * deviation);
-    outside += magnitudes[k] > tolerance ? 1 : 0;
+    magnitudes.push_back(std::abs(value));
+    outside += magnitudes.back() > tolerance ? 1 : 0;
   }
   result.standard_deviation = std::sqrt(deviations.value() / count);
   result.out_of_tolerance_fraction = static_cast<double>(outside) / count;
@@ -78,6 +79,16 @@ DeviationStatistics deviation_statistics(const std::vector<Foot>& feet, double t
   std::nth_element(magnitudes.begin(), magnitudes.begin() + rank, magnitudes.end());
   result.percentile95 = magnitudes[rank];
   return result;
+}
+
+DeviationStatistics deviation_statistics(const std::vector<Foot>& feet, double tolerance)
+{
+  Deviations deviations;
+  for (const Foot& foot : feet)
+  {
+    deviations.add(foot);
+  }
+  return deviations.statistics(tolerance);
 }
 
 } // namespace footpoint

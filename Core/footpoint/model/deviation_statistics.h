@@ -23,9 +23,19 @@ struct DeviationStatistics
   double out_of_tolerance_fraction = NAN; ///< part of `count` with |distance| above the tolerance
 };
 
-/// \param feet      all points that count
-/// \param tolerance limit of |distance| in model units; infinity: nothing is out of tolerance
-/// Sums are taken in a fixed order with compensation (Neumaier 1974).
+/// What statistics need of the points that count, for feet that are not kept.
+struct Deviations
+{
+  std::vector<double> values; ///< signed distances; where there is no sign, distances
+  std::array<std::int64_t, 6> status_counts{};
+
+  void add(const Foot& foot);
+  /// \param tolerance limit of |distance| in model units; infinity: nothing is out of tolerance
+  /// Sums are taken in the order of the points with compensation (Neumaier 1974).
+  DeviationStatistics statistics(double tolerance = std::numeric_limits<double>::infinity()) const;
+};
+
+/// \param feet all points that count
 DeviationStatistics deviation_statistics(
   const std::vector<Foot>& feet, double tolerance = std::numeric_limits<double>::infinity());
 
