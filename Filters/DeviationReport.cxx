@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeviationReport.h"
 
-#include "FootArrays.h"
-
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -46,8 +44,6 @@ void add_column(vtkTable* table, const char* name,
   table->AddColumn(column);
 }
 
-} // namespace
-
 void write_statistics(
   const DeviationStatistics& statistics, const std::string& prefix, vtkFieldData* data)
 {
@@ -72,23 +68,8 @@ void write_statistics(
 }
 
 void write_face_table(
-  const std::vector<Foot>& feet, const Model& model, double tolerance, vtkTable* table)
+  const std::vector<DeviationStatistics>& statistics, const Model& model, vtkTable* table)
 {
-  std::vector<std::vector<Foot>> feet_of_face(model.size());
-  for (const Foot& foot : feet)
-  {
-    if (has_foot(foot) && foot.face >= 0)
-    {
-      feet_of_face[static_cast<std::size_t>(foot.face)].push_back(foot);
-    }
-  }
-  std::vector<DeviationStatistics> statistics;
-  for (std::vector<Foot>& part : feet_of_face)
-  {
-    statistics.push_back(deviation_statistics(part, tolerance));
-    part = {};
-  }
-
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("FaceId");
   vtkNew<vtkStringArray> names;
@@ -116,6 +97,32 @@ void write_face_table(
   add_column(table, "Percentile95", statistics, [](Row row) { return row.percentile95; });
   add_column(table, "OutOfToleranceFraction", statistics,
     [](Row row) { return row.out_of_tolerance_fraction; });
+}
+
+} // namespace
+
+DeviationReport::DeviationReport(const Model& model, vtkIdType count)
+  : Geometry(model)
+  , Faces(model.size())
+{
+  this->All.values.reserve(static_cast<std::size_t>(count));
+}
+
+void DeviationReport::write(
+  double tolerance, const std::string& prefix, vtkFieldData* data, vtkTable* table) const
+{
+  const DeviationStatistics all = this->All.statistics(tolerance);
+  write_statistics(all, prefix, data);
+  std::vector<DeviationStatistics> of_faces{ all };
+  if (this->Faces.size() != 1)
+  {
+    of_faces.clear();
+    for (const Deviations& face : this->Faces)
+    {
+      of_faces.push_back(face.statistics(tolerance));
+    }
+  }
+  write_face_table(of_faces, this->Geometry, table);
 }
 
 } // namespace footpoint::conversion

@@ -6,6 +6,8 @@
 
 #include "footpoint/model/deviation_statistics.h"
 
+#include "vtkType.h"
+
 #include <string>
 #include <vector>
 
@@ -15,14 +17,33 @@ class vtkTable;
 namespace footpoint::conversion
 {
 
-/// Writes `DistanceCount` … `OutOfToleranceFraction` with the prefix before their names.
-void write_statistics(
-  const DeviationStatistics& statistics, const std::string& prefix, vtkFieldData* data);
+/// Statistics of the points that count, whose feet are given one by one.
+class DeviationReport
+{
+public:
+  /// \param model outlives the report
+  /// \param count points, at most
+  DeviationReport(const Model& model, vtkIdType count);
 
-/// One row for each face of the model.
-/// \param feet all points that count
-void write_face_table(
-  const std::vector<Foot>& feet, const Model& model, double tolerance, vtkTable* table);
+  void add(const Foot& foot)
+  {
+    this->All.add(foot);
+    if (this->Faces.size() > 1 && foot.face >= 0)
+    {
+      this->Faces[static_cast<std::size_t>(foot.face)].add(foot);
+    }
+  }
+
+  /// Writes `DistanceCount` … `OutOfToleranceFraction` with the prefix before their names, and a
+  /// row of the table for each face of the model.
+  void write(
+    double tolerance, const std::string& prefix, vtkFieldData* data, vtkTable* table) const;
+
+private:
+  const Model& Geometry;
+  Deviations All;
+  std::vector<Deviations> Faces; ///< stay empty where one face has all feet
+};
 
 } // namespace footpoint::conversion
 

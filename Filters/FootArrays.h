@@ -6,18 +6,21 @@
 
 #include "footpoint/model/point_inversion.h"
 
-#include "vtkType.h"
+#include "vtkDoubleArray.h"
+#include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 class vtkDataSetAttributes;
-class vtkPolyData;
+class vtkIdList;
 
 namespace footpoint::conversion
 {
 
 /// Which arrays there are and how they are called: the same for every block and output.
+/// Outlives all arrays of feet.
 struct FootArrayLayout
 {
   std::string prefix;
@@ -42,25 +45,41 @@ void describe_model(const Model& model, FootArrayLayout& layout);
 /// False at Status 3 and 4.
 bool has_foot(const Foot& foot);
 
-/// Adds the arrays, replacing those of their names, and makes the signed distance (or the distance)
-/// the active scalars.
-/// \param repeat every foot is written that many times in a row
-void attach_feet(const Foot* feet, vtkIdType count, int repeat, const FootArrayLayout& layout,
-  vtkDataSetAttributes* attributes);
-
-/// A foot and the point it belongs to.
-struct TaggedFoot
+/// Arrays with a row for each of some feet.
+class FootArrays
 {
-  Foot foot;
-  Vector3 query;
-  vtkIdType point; ///< in its block
-  int block;       ///< flat composite index
-};
+public:
+  FootArrays(const FootArrayLayout& layout, vtkIdType count);
 
-/// Vertices at the feet, or segments from each query point to its foot.
-/// \param with_blocks also make the array `BlockId`
-void fill_foot_points(const std::vector<TaggedFoot>& feet, bool segments, bool with_blocks,
-  const FootArrayLayout& layout, vtkPolyData* output);
+  vtkIdType count() const { return this->Count; }
+  /// Where the feet are; also where no array says it.
+  vtkDoubleArray* points() const { return this->Points; }
+
+  /// Writes some rows from the first on.
+  void write(vtkIdType first, const Foot* feet, vtkIdType count);
+  /// Writes rows that others of this layout have.
+  void copy(vtkIdList* rows, const FootArrays& others, vtkIdList* their_rows);
+
+  /// Adds the arrays, replacing those of their names, and makes the signed distance (or the
+  /// distance) the active scalars. Attributes of several data sets may share them.
+  void attach_to(vtkDataSetAttributes* attributes) const;
+
+private:
+  struct Column
+  {
+    vtkSmartPointer<vtkDataArray> array;
+    std::function<void(vtkIdType row, const Foot* feet, vtkIdType count)> write;
+  };
+
+  /// Adds a column that `write(foot, values)` fills.
+  template <typename ArrayType, typename Write>
+  void add(const char* name, int components, const Write& write);
+
+  const FootArrayLayout& Layout;
+  vtkIdType Count;
+  std::vector<Column> Columns;
+  vtkDoubleArray* Points; ///< of one of the columns
+};
 
 } // namespace footpoint::conversion
 

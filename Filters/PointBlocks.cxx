@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointBlocks.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <new>
 
 namespace footpoint::conversion
 {
@@ -18,42 +21,52 @@ namespace footpoint::conversion
 namespace
 {
 
-/// True for points that are no ghosts and not hidden; empty where all are so.
-std::vector<char> visible_points(vtkDataSet* block)
+/// The coordinates of a block's points, in order; null where there is no such array.
+template <typename Value>
+const Value* coordinates(vtkDataSet* block)
 {
-  std::vector<char> visible;
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    block->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (ghosts)
-  {
-    const int skipped = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-    for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
-    {
-      visible.push_back((ghosts->GetValue(i) & skipped) == 0);
-    }
-  }
-  return visible;
+  auto* const set = vtkPointSet::SafeDownCast(block);
+  auto* const array = set && set->GetPoints()
+    ? vtkAOSDataArrayTemplate<Value>::FastDownCast(set->GetPoints()->GetData())
+    : nullptr;
+  return array ? array->GetPointer(0) : nullptr;
 }
 
-/// Writes the points of a block, and their starts, to their places.
-void gather_points(vtkDataSet* block, vtkIdType first, Points& points, std::vector<Start>& starts)
+/// Writes the points of a block to their places.
+void gather_points(const Block& block, Points& points)
 {
-  const vtkIdType count = block->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < count; ++i)
+  auto places = points.middleCols(block.first, block.count);
+  if (const auto* const doubles = coordinates<double>(block.output))
   {
-    block->GetPoint(i, points.col(first + i).data());
+    places = Eigen::Map<const Points>(doubles, 3, block.count);
   }
-  vtkDataArray* seeds = block->GetPointData()->GetArray("SeedParameters");
+  else if (const auto* const floats = coordinates<float>(block.output))
+  {
+    places = Eigen::Map<const Eigen::Matrix3Xf>(floats, 3, block.count).cast<double>();
+  }
+  else
+  {
+    for (vtkIdType i = 0; i < block.count; ++i)
+    {
+      block.output->GetPoint(i, places.col(i).data());
+    }
+  }
+}
+
+/// Writes the starts of a block's points, if it has any, to their places among so many.
+void gather_starts(const Block& block, vtkIdType total, std::vector<Start>& starts)
+{
+  vtkDataArray* seeds = block.output->GetPointData()->GetArray("SeedParameters");
   if (!seeds)
   {
     return;
   }
-  vtkDataArray* faces = block->GetPointData()->GetArray("SeedFaceId");
-  starts.resize(static_cast<std::size_t>(points.cols()));
+  vtkDataArray* faces = block.output->GetPointData()->GetArray("SeedFaceId");
+  starts.resize(static_cast<std::size_t>(total));
   const int components = std::min(seeds->GetNumberOfComponents(), 2);
-  for (vtkIdType i = 0; i < count; ++i)
+  for (vtkIdType i = 0; i < block.count; ++i)
   {
-    Start& start = starts[static_cast<std::size_t>(first + i)];
+    Start& start = starts[static_cast<std::size_t>(block.first + i)];
     for (int k = 0; k < components; ++k)
     {
       start.parameter[k] = seeds->GetComponent(i, k);
@@ -104,61 +117,24 @@ PointBlocks collect_points(vtkDataObject* input, vtkDataObject* output)
     output->ShallowCopy(input);
     add(vtkDataSet::SafeDownCast(output), 0);
   }
-  result.queries.resize(3, total);
+  const double* points =
+    result.blocks.size() == 1 ? coordinates<double>(result.blocks[0].output) : nullptr;
+  if (!points)
+  {
+    result.gathered.resize(3, total);
+    points = result.gathered.data();
+  }
   for (const Block& block : result.blocks)
   {
-    gather_points(block.output, block.first, result.queries, result.starts);
+    if (result.gathered.cols() > 0)
+    {
+      gather_points(block, result.gathered);
+    }
+    gather_starts(block, total, result.starts);
   }
+  // A map is set anew by placement (as Eigen's documentation has it).
+  new (&result.queries) Eigen::Map<const Points>(points, 3, total);
   return result;
-}
-
-std::vector<TaggedFoot> PointBlocks::tagged_feet(const InversionResult& result) const
-{
-  std::vector<TaggedFoot> feet;
-  std::size_t next = 0; // of all_feet, which are in the order of the points
-  for (const Block& block : this->blocks)
-  {
-    const vtkIdType end = block.first + block.count;
-    const auto add = [&](const Foot& foot, vtkIdType at)
-    {
-      if (has_foot(foot))
-      {
-        feet.push_back({ foot, this->queries.col(at), at - block.first, block.flat_index });
-      }
-    };
-    for (vtkIdType i = block.first; i < end; ++i)
-    {
-      const std::size_t first = next;
-      for (; next < result.all_feet.size() && result.all_feet_point[next] == i; ++next)
-      {
-        add(result.all_feet[next], i);
-      }
-      // Where all feet were not asked for, or none of a point converged: the nearest.
-      if (next == first)
-      {
-        add(result.feet[i], i);
-      }
-    }
-  }
-  return feet;
-}
-
-std::vector<Foot> PointBlocks::counting_feet(const InversionResult& result) const
-{
-  std::vector<Foot> feet;
-  feet.reserve(result.feet.size());
-  for (const Block& block : this->blocks)
-  {
-    const std::vector<char> visible = visible_points(block.output);
-    for (vtkIdType i = 0; i < block.count; ++i)
-    {
-      if (visible.empty() || visible[i])
-      {
-        feet.push_back(result.feet[block.first + i]);
-      }
-    }
-  }
-  return feet;
 }
 
 } // namespace footpoint::conversion

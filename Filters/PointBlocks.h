@@ -4,7 +4,9 @@
 #ifndef PointBlocks_h
 #define PointBlocks_h
 
-#include "FootArrays.h"
+#include "footpoint/model/point_inversion.h"
+
+#include "vtkType.h"
 
 #include <vector>
 
@@ -26,15 +28,12 @@ struct Block
 struct PointBlocks
 {
   std::vector<Block> blocks;
-  Points queries;
+  Points gathered;
+  /// Of all blocks: those gathered or, where it has them as they are needed, the input's own.
+  Eigen::Map<const Points> queries{ nullptr, 3, 0 };
   std::vector<Start> starts; ///< empty, or one for each point
   bool composite = false;
   int skipped = 0; ///< leaves without points, which are passed as they are
-
-  /// The feet of output 1, in the order of the points.
-  std::vector<TaggedFoot> tagged_feet(const InversionResult& result) const;
-  /// The feet of points that are no ghosts and not hidden.
-  std::vector<Foot> counting_feet(const InversionResult& result) const;
 };
 
 /// Makes the output a shallow copy of the input and gathers its points, with their starts where a

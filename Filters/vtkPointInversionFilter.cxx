@@ -3,8 +3,7 @@
 
 #include "AlgorithmExecution.h"
 #include "CachedInverter.h"
-#include "DeviationReport.h"
-#include "PointBlocks.h"
+#include "FootRecord.h"
 
 #include "footpoint/common/errors.h"
 #include "footpoint/model/point_inversion.h"
@@ -59,7 +58,8 @@ struct vtkPointInversionFilter::Internals
   static std::string InvalidOption(vtkPointInversionFilter* self);
   static footpoint::InversionOptions Options(vtkPointInversionFilter* self);
   static FootArrayLayout Layout(vtkPointInversionFilter* self, const footpoint::Model& model);
-  footpoint::InversionResult Invert(vtkPointInversionFilter* self, const PointBlocks& points) const;
+  /// False where the user has stopped it.
+  bool Invert(vtkPointInversionFilter* self, const PointBlocks& points, FootRecord& record) const;
 };
 
 vtkPointInversionFilter::vtkPointInversionFilter()
@@ -234,32 +234,36 @@ std::string vtkPointInversionFilter::Internals::InvalidOption(vtkPointInversionF
   return "";
 }
 
-footpoint::InversionResult vtkPointInversionFilter::Internals::Invert(
-  vtkPointInversionFilter* self, const PointBlocks& points) const
+bool vtkPointInversionFilter::Internals::Invert(
+  vtkPointInversionFilter* self, const PointBlocks& points, FootRecord& record) const
 {
   const footpoint::PointInverter& inverter = this->Inverter.inverter();
-  const double total = std::max(static_cast<double>(points.queries.cols()), 1.0);
   if (!self->WarmStart)
   {
-    return footpoint::invert(inverter, points.queries, points.starts, make_execution(self));
+    bool cancelled = false;
+    footpoint::invert(inverter, points.queries, points.starts, make_execution(self),
+      [&](std::int64_t first, const footpoint::InversionResult& part)
+      {
+        record.take(first, part);
+        cancelled = part.cancelled;
+      });
+    return !cancelled;
   }
+  const double total = std::max(static_cast<double>(points.queries.cols()), 1.0);
   double done = 0.0;
-  footpoint::InversionResult result;
   for (const Block& block : points.blocks)
   {
     const double share = static_cast<double>(block.count) / total;
-    const footpoint::Points part = points.queries.middleCols(block.first, block.count);
-    const footpoint::InversionResult feet =
-      footpoint::invert_sequence(inverter, part, make_execution(self, done, share));
-    result.feet.insert(result.feet.end(), feet.feet.begin(), feet.feet.end());
-    done += share;
-    result.cancelled = feet.cancelled;
-    if (result.cancelled)
+    const footpoint::InversionResult feet = footpoint::invert_sequence(inverter,
+      points.queries.middleCols(block.first, block.count), make_execution(self, done, share));
+    if (feet.cancelled)
     {
-      break;
+      return false;
     }
+    record.take(block.first, feet);
+    done += share;
   }
-  return result;
+  return true;
 }
 
 FootArrayLayout vtkPointInversionFilter::Internals::Layout(
@@ -336,8 +340,10 @@ int vtkPointInversionFilter::RequestData(
   }
 
   // === Compute
-  const footpoint::InversionResult result = this->Internal->Invert(this, points);
-  if (result.cancelled)
+  const bool several =
+    this->AllFeet || !this->Internal->Inverter.inverter().options().fixed_direction.isZero();
+  FootRecord record(points, layout, model, several, this->FootSegments);
+  if (!this->Internal->Invert(this, points, record))
   {
     for (int port = 0; port < 3; ++port)
     {
@@ -347,19 +353,10 @@ int vtkPointInversionFilter::RequestData(
   }
 
   // === Attach
-  for (const Block& block : points.blocks)
-  {
-    attach_feet(
-      result.feet.data() + block.first, block.count, 1, layout, block.output->GetPointData());
-  }
-  fill_foot_points(points.tagged_feet(result), this->FootSegments, points.composite, layout,
-    vtkPolyData::GetData(outputs, 1));
-
-  const std::vector<footpoint::Foot> counting = points.counting_feet(result);
-  const double tolerance = limit(this->DeviationTolerance);
-  write_statistics(
-    footpoint::deviation_statistics(counting, tolerance), layout.prefix, output->GetFieldData());
-  write_face_table(counting, model, tolerance, vtkTable::GetData(outputs, 2));
+  record.attach();
+  record.fill_foot_points(vtkPolyData::GetData(outputs, 1));
+  record.report().write(limit(this->DeviationTolerance), layout.prefix, output->GetFieldData(),
+    vtkTable::GetData(outputs, 2));
   return 1;
 }
 

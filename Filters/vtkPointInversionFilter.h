@@ -56,7 +56,8 @@
  * **Output port 1**: the foot points as vtkPolyData, of points with a foot only, with the same
  * arrays, `PointId` (the point's number in its block) and, for composite inputs, `BlockId` (the
  * block's flat composite index). See SetFootSegments(), SetAllFeet() and SetFixedDirection().
- * `Normal` is the active normals.
+ * `Normal` is the active normals. Where every point has just one row, both outputs share the arrays,
+ * and `ClosestPoint` its numbers with the points.
  *
  * **Output port 2**: a vtkTable with a row for every face: `FaceId`, `Name`, `Count` of points
  * whose foot is on the face, and of their SignedDistance (curves: Distance) `Minimum`, `Maximum`,

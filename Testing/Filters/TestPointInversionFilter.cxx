@@ -293,6 +293,47 @@ void TestReplacedAndKeptArrays()
   CHECK(!output->GetPointData()->HasArray("NewDistance"));
 }
 
+/// More points than the core hands over at a time.
+void TestManyPoints()
+{
+  constexpr vtkIdType kCount = 70000;
+  std::vector<Point> positions = RandomPoints(kCount, 2.0, 5);
+  vtkNew<vtkPointInversionFilter> filter;
+  filter->SetInputData(MakePoints(positions));
+  filter->SetSourceData(MakeSphere());
+  filter->Update();
+  vtkPolyData* feet = filter->GetFootPointsOutput();
+  CHECK(PointArray(feet, "Distance") == PointArray(filter->GetOutput(), "Distance"));
+  CHECK(std::string(feet->GetPoints()->GetData()->GetName()) == "Points");
+
+  // === Points without a foot leave no row
+  for (const vtkIdType i : { vtkIdType{ 5 }, vtkIdType{ 40000 }, kCount - 1 })
+  {
+    positions[i][1] = NAN;
+  }
+  filter->SetInputData(MakePoints(positions));
+  filter->Update();
+  vtkDataObject* output = filter->GetOutput();
+  CHECK(feet->GetNumberOfPoints() == kCount - 3);
+  CHECK(feet->GetNumberOfVerts() == kCount - 3);
+  vtkIdType row = 0;
+  for (vtkIdType i = 0; i < kCount; ++i)
+  {
+    if (std::isnan(positions[i][1]))
+    {
+      CHECK(std::isnan(Value(output, "Distance", i)));
+      continue;
+    }
+    CHECK_NEAR(Value(output, "SignedDistance", i), Norm(positions[i]) - 1.0, kTight);
+    CHECK(Value(feet, "PointId", row) == i);
+    CHECK(Value(feet, "Parameters", row, 1) == Value(output, "Parameters", i, 1));
+    CHECK(Value(feet, "Status", row) == Value(output, "Status", i));
+    CHECK(feet->GetPoint(row)[2] == Value(output, "ClosestPoint", i, 2));
+    ++row;
+  }
+  CHECK(FieldValue(output, "DistanceCount") == kCount - 3);
+}
+
 void TestEmptyInputAndTypes()
 {
   vtkNew<vtkPointInversionFilter> filter;
@@ -337,6 +378,7 @@ int TestPointInversionFilter(int, char*[])
       TestStatuses();
       TestCurve();
       TestReplacedAndKeptArrays();
+      TestManyPoints();
       TestEmptyInputAndTypes();
     });
 }
