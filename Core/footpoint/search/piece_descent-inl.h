@@ -152,7 +152,7 @@ enum JetEntry : int
 struct Place
 {
   Pair t;
-  HWY_ALIGN double jet[kJet][4]; ///< of S, and in the last column of w; polynomials: not set
+  HWY_ALIGN double jet[kJet][4]; ///< of S, and in the last column of w
   double r[3];                   ///< S − P
   double squared;                ///< |S − P|²
   Pair gradient;                 ///< of E = ½|S − P|²
@@ -422,13 +422,13 @@ HWY_INLINE double slope(const Place& place, const std::array<bool, 2>& free)
     free[1] ? std::abs(place.gradient[1]) : 0.0);
 }
 
-/// S and its derivatives a short step on, by Taylor's expansion about the place.
+/// S, w and their derivatives a short step on, by Taylor's expansion about the place.
 HWY_INLINE void expand(const PieceQuery& query, const Pair& target, Place& place)
 {
   const double du = target[0] - place.t[0];
   const double dv = target[1] - place.t[1];
   auto& jet = place.jet;
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 4; ++k)
   {
     const double by_u = jet[kSuu][k] * du + jet[kSuv][k] * dv;
     const double by_v = jet[kSuv][k] * du + jet[kSvv][k] * dv;
