@@ -3,6 +3,7 @@
 
 #include "footpoint/splines/curve.h"
 #include "footpoint/splines/surface.h"
+#include "footpoint/trims/trim_loop.h"
 
 #include <memory>
 #include <string>
@@ -25,6 +26,9 @@ struct Face
   std::string name;           ///< for messages; may be empty
   std::vector<Patch> patches; ///< empty: a null block that uses up its number
   bool reversed = false;      ///< the normal is −S_u × S_v
+  /// What trims the face, which then is one patch, a NURBS surface; empty: not trimmed.
+  std::vector<TrimLoop> loops;
+  double tolerance = 0.0;     ///< of the trim curves, model units: gaps up to this are closed
 };
 
 /// Faces in the order of their FaceId.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/splines/bezier.h"
+#include "footpoint/trims/trim_region.h"
+
+#include <memory>
+#include <vector>
+
+namespace footpoint
+{
+
+/// An edge of a trimmed face in space: S(c(t)), a surface after a trim curve.
+class EdgeCurve : public ParametricCurve
+{
+public:
+  /// \param surface of the face; kept alive
+  /// \param arcs    a run of arcs of one loop curve inside the domain, each beginning where the one
+  ///                before it ends. The local parameter t of the edge runs over the ranges of the
+  ///                arcs, from 0.
+  EdgeCurve(std::shared_ptr<const Surface> surface, std::vector<TrimArc> arcs);
+
+  Jet<1> jet(const Parameter<1>& t, const Sides<1>& sides, int order) const override;
+
+  /// Where on the surface: local parameters (u, v) = c(t).
+  Parameter<2> surface_parameter(double t, Side side = Side::Right) const;
+
+  const Surface& surface() const { return *this->Base; }
+  const std::vector<TrimArc>& arcs() const { return this->Arcs; }
+
+private:
+  std::shared_ptr<const Surface> Base;
+  std::vector<TrimArc> Arcs;
+};
+
+/// An edge as Bézier pieces in space, for searching.
+struct EdgePieces
+{
+  /// Ascending; `lower` and `upper` are local parameters of the edge, positions relative to its
+  /// centre().
+  std::vector<BezierPiece<1>> pieces;
+  /// Bound of |piece(t) − S(c(t))| over all pieces (model units). Rounding where pieces are exact
+  /// (plane faces, edges along u or v), else that of interpolation.
+  double error;
+};
+
+/// \param tolerance to which S(c(t)) is approximated where no exact piece of low degree exists (model
+///                  units); `error` may exceed it where rounding or work do not allow more
+EdgePieces edge_pieces(const EdgeCurve& edge, double tolerance);
+
+/// The edges of a face: one for each run of arcs of one loop curve (or closed gap) in the domain.
+std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
+  const std::shared_ptr<const Surface>& surface, const TrimRegion& region);
+
+} // namespace footpoint
