@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/inverter_implementation.h"
 
+#include "footpoint/model/edge_feet.h"
 #include "footpoint/search/better_foot.h"
 
 #include <algorithm>
@@ -9,6 +10,13 @@
 
 namespace footpoint
 {
+
+/// In the domain of the face: of a foot on an edge, those of the surface.
+Parameter<2> PointInverter::Implementation::parameter(const Candidate& candidate) const
+{
+  const EdgeCurve* edge = this->Patches[candidate.patch].edge;
+  return edge ? on_surface(*edge, candidate.foot).parameter : candidate.foot.parameter;
+}
 
 /// Order of face, u, v: the rule for ties.
 bool PointInverter::Implementation::lower(const Candidate& a, const Candidate& b) const
@@ -23,10 +31,12 @@ bool PointInverter::Implementation::lower(const Candidate& a, const Candidate& b
   {
     return face_a < face_b;
   }
+  const Parameter<2> at_a = this->parameter(a);
+  const Parameter<2> at_b = this->parameter(b);
   for (int i = 0; i < 2; ++i)
   {
-    const double u = a.foot.parameter(i);
-    const double v = b.foot.parameter(i);
+    const double u = at_a(i);
+    const double v = at_b(i);
     if (std::abs(u - v) > kSameParameter * std::max(std::abs(u), std::abs(v)))
     {
       return u < v;

@@ -65,14 +65,21 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
   , Centre(centre)
   , Size(size)
 {
+  const auto patches = static_cast<std::size_t>(std::count_if(this->Members.begin(),
+    this->Members.end(), [](const Member& member) { return member.edge == nullptr; }));
   DistanceForms forms(std::clamp(
-    kPiecesOfModel / std::max<std::size_t>(this->Members.size(), 1), kFewestPieces, kMostPieces));
+    kPiecesOfModel / std::max<std::size_t>(patches, 1), kFewestPieces, kMostPieces));
   int degrees = 0;
   for (std::size_t k = 0; k < this->Members.size(); ++k)
   {
     const Member& member = this->Members[k];
     const auto index = static_cast<std::int32_t>(k);
-    if (const auto* curve = dynamic_cast<const Curve*>(member.patch->curve.get()))
+    if (member.edge)
+    {
+      forms.add(index, *member.edge, *member.pieces, member.edge->centre() - centre);
+      this->TakesPart[k] = true;
+    }
+    else if (const auto* curve = dynamic_cast<const Curve*>(member.patch->curve.get()))
     {
       forms.add(index, *curve, curve->centre() - centre, member.shared.shared);
       degrees = std::max(degrees, curve->knots().degree());
@@ -80,7 +87,8 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     }
     else if (const auto* surface = dynamic_cast<const Surface*>(member.patch->surface.get()))
     {
-      forms.add(index, *surface, surface->centre() - centre, member.shared.shared);
+      forms.add(index, *surface, surface->centre() - centre, member.shared.shared,
+        member.region);
       degrees = std::max(degrees, surface->knots(0).degree() + surface->knots(1).degree());
       this->TakesPart[k] = true;
     }
@@ -90,7 +98,7 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     }
   }
   this->ExtractionError = 2.0 * extraction_error(degrees);
-  const double wanted = static_cast<double>(kStarts * this->Members.size()) /
+  const double wanted = static_cast<double>(kStarts * patches) /
     static_cast<double>(std::max<std::size_t>(forms.pieces().size(), 1));
   this->Parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(wanted))), 1, kMostParts);
   this->Search = CertifiedSearch(std::move(forms));
@@ -263,6 +271,49 @@ Parameter<2> CertifiedFeet::domain_parameter(const PieceFoot& foot, const Piece&
   return parameter;
 }
 
+/// \pre inside a smooth part of the edge, and orthogonal to it
+bool CertifiedFeet::plain_edge_foot(const PieceFoot& found, Foot& foot) const
+{
+  const Piece& piece = this->Search.piece(found.piece);
+  const Member& member = this->Members[piece.patch];
+  const Surface& surface = member.edge->surface();
+  const Parameter<2> at =
+    member.edge->surface_parameter(piece.lower[1] + found.t[1] * piece.width[1]);
+  for (int i = 0; i < 2; ++i)
+  {
+    const Direction& direction = surface.direction(i);
+    const auto line = std::lower_bound(direction.breaks.begin(), direction.breaks.end(), at(i),
+      [](const Break& one, double where) { return one.at < where; });
+    if (line != direction.breaks.end() && line->at == at(i) && at(i) > 0.0 &&
+      at(i) < direction.length)
+    {
+      return false; // the edge runs along a kink of the surface
+    }
+  }
+  const Jet<2> jet = surface.jet(at, Sides<2>::Constant(Side::Right), 1);
+  const Vector3 normal = jet.first.col(0).cross(jet.first.col(1));
+  const double length = normal.norm();
+  if (!(length > kPlainSine * jet.first.col(0).norm() * jet.first.col(1).norm()))
+  {
+    return false;
+  }
+  // S(c(t)) itself: the piece is an approximation of it.
+  const Vector3 centre = surface.centre() - this->Centre;
+  const Vector3 shift = centre + jet.point - vector(found.position);
+  const Vector3 offset = vector(found.offset) + shift;
+  foot.direction = normal / (member.reversed ? -length : length);
+  foot.distance = offset.norm();
+  foot.signed_distance = -offset.dot(foot.direction) < 0.0 ? -foot.distance : foot.distance;
+  foot.type = FootType::Edge;
+  foot.isolated = true;
+  foot.iterations = found.iterations;
+  foot.face = member.face;
+  foot.on_curve = false;
+  foot.parameter = surface.to_domain(at);
+  foot.point = surface.centre() + jet.point;
+  return true;
+}
+
 bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
 {
   const Piece& piece = this->Search.piece(found.piece);
@@ -299,6 +350,10 @@ bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
       return false;
     }
   }
+  if (member.edge && bounds > 0)
+  {
+    return false;
+  }
   // The Hessian over the directions that nothing holds, in units of |S_i|; its determinant over its
   // trace is a lower bound of the smaller eigenvalue.
   const double a = held[0] ? 1.0 : found.hessian[0] / metric[0];
@@ -309,6 +364,10 @@ bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
   if (!(a > 0.0 && c > 0.0 && a * c - bb > kPlainCurvature * (a + c)))
   {
     return false;
+  }
+  if (member.edge)
+  {
+    return this->plain_edge_foot(found, foot);
   }
   if (curve)
   {

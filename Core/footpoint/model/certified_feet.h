@@ -13,13 +13,16 @@ namespace footpoint
 class CertifiedFeet
 {
 public:
-  /// One patch of the model, with the index of its face.
+  /// One patch of the model, with the index of its face; or an edge.
   struct Member
   {
     const Patch* patch;
     int face;
     bool reversed; ///< the face is
     SharedBorders shared;
+    const TrimRegion* region; ///< null: not trimmed
+    const EdgeCurve* edge;    ///< the patch's curve, where it is an edge of a trimmed face
+    const EdgePieces* pieces; ///< of the edge; needed while this is built
   };
 
   /// \param members the patches that are splines take part; the others are passed over
@@ -67,6 +70,7 @@ public:
   bool plain_foot(const PieceFoot& found, Foot& foot) const;
 
 private:
+  bool plain_edge_foot(const PieceFoot& found, Foot& foot) const;
   bool visit_start(const PieceStart& start, const VisitPart& visit) const;
   Parameter<2> domain_parameter(const PieceFoot& foot, const Piece& piece) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/inverter_implementation.h"
 
+#include "footpoint/model/edge_feet.h"
 #include "footpoint/model/evaluation.h"
 
 #include <algorithm>
@@ -12,13 +13,20 @@ Vector3 PointInverter::Implementation::direction(const Candidate& candidate) con
 {
   const PreparedPatch& prepared = this->Patches[candidate.patch];
   const Patch& patch = *prepared.patch;
+  const bool reversed = this->Prepared->model()[prepared.face].reversed;
+  if (prepared.edge)
+  {
+    const PatchFoot foot = on_surface(*prepared.edge, candidate.foot);
+    const Vector3 normal = mean_normal(prepared.edge->surface(), foot.local, foot.sides);
+    return reversed ? Vector3(-normal) : normal;
+  }
   if (patch.curve)
   {
     return unit_tangent(
       *patch.curve, candidate.foot.local.head<1>(), candidate.foot.sides.head<1>());
   }
   const Vector3 normal = mean_normal(*patch.surface, candidate.foot.local, candidate.foot.sides);
-  return this->Prepared->model()[prepared.face].reversed ? Vector3(-normal) : normal;
+  return reversed ? Vector3(-normal) : normal;
 }
 
 /// A foot on borders that other patches of the face continue is interior, or on a kink, and its
@@ -27,7 +35,7 @@ void PointInverter::Implementation::settle_shared_border(Foot& foot, const Vecto
   const Candidate& candidate, const std::vector<Candidate>& others) const
 {
   const PreparedPatch& prepared = this->Patches[candidate.patch];
-  if ((foot.type != FootType::Edge && foot.type != FootType::Vertex) ||
+  if ((foot.type != FootType::Edge && foot.type != FootType::Vertex) || prepared.edge ||
     !prepared.shared.cover(*prepared.patch, candidate.foot.local))
   {
     return;
@@ -55,20 +63,21 @@ Foot PointInverter::Implementation::finish(
   const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const
 {
   const PreparedPatch& prepared = this->Patches[candidate.patch];
-  const PatchFoot& found = candidate.foot;
+  const PatchFoot found =
+    prepared.edge ? on_surface(*prepared.edge, candidate.foot) : candidate.foot;
   Foot foot;
   foot.status = found.converged ? Status::Converged : Status::NotConverged;
   foot.type = found.type;
   foot.iterations = found.iterations;
   foot.face = prepared.face;
-  foot.on_curve = prepared.patch->curve != nullptr;
+  foot.on_curve = prepared.patch->curve && !prepared.edge;
   foot.parameter = found.parameter;
   foot.point = found.point;
   foot.distance = found.distance;
   foot.direction = this->direction(candidate);
   this->settle_shared_border(foot, point, candidate, others);
   foot.isolated =
-    this->wants_lines() ? found.isolated : prepared.search->isolated(point, found);
+    this->wants_lines() ? found.isolated : prepared.search->isolated(point, candidate.foot);
   if (!foot.on_curve)
   {
     const bool below = -found.offset.dot(foot.direction) < 0.0;

@@ -31,6 +31,7 @@ struct PointInverter::Implementation
 
   // === The order of feet, in candidate_order.cpp
 
+  Parameter<2> parameter(const Candidate& candidate) const;
   bool lower(const Candidate& a, const Candidate& b) const;
   bool better(const Candidate& a, const Candidate& b) const;
   bool same(const Candidate& a, const Candidate& b) const;
@@ -43,6 +44,7 @@ struct PointInverter::Implementation
   std::vector<std::size_t> by_bound(const PatchQuery& query, double limit) const;
   bool settles(const PatchQuery& query, const Candidate& candidate, const PatchStart& start,
     const Parameter<2>& lower, const Parameter<2>& upper) const;
+  bool counts(const PatchQuery& query, const Candidate& candidate) const;
   void search(const PatchQuery& query, const Start& start, const std::function<double()>& limit,
     const std::function<void(const Candidate&)>& found) const;
   std::vector<Candidate> nearest(const Vector3& point, const Start& start, Sought sought) const;

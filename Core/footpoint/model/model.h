@@ -3,7 +3,7 @@
 
 #include "footpoint/splines/curve.h"
 #include "footpoint/splines/surface.h"
-#include "footpoint/trims/trim_loop.h"
+#include "footpoint/trims/trim_region.h"
 
 #include <memory>
 #include <string>
@@ -26,9 +26,12 @@ struct Face
   std::string name;           ///< for messages; may be empty
   std::vector<Patch> patches; ///< empty: a null block that uses up its number
   bool reversed = false;      ///< the normal is −S_u × S_v
-  /// What trims the face, which then is one patch, a NURBS surface; empty: not trimmed.
-  std::vector<TrimLoop> loops;
-  double tolerance = 0.0;     ///< of the trim curves, model units: gaps up to this are closed
+  /// The part of the face that its trim loops keep; such a face is one patch, a Surface. Null: all
+  /// of it.
+  std::shared_ptr<const TrimRegion> region;
+  /// How far the face may be from its neighbours: borders that are no farther apart are one (model
+  /// units; at least kSewing of the model's size).
+  double tolerance = 0.0;
 };
 
 /// Faces in the order of their FaceId.

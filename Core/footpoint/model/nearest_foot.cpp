@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/inverter_implementation.h"
 
+#include "footpoint/model/edge_feet.h"
 #include "footpoint/search/better_foot.h"
 
 #include <algorithm>
@@ -61,6 +62,27 @@ bool PointInverter::Implementation::settles(const PatchQuery& query, const Candi
     !search.isolated(query.point, foot);
 }
 
+/// Whether a foot on a patch is one on its face: no trim loop leaves it out, and where it lies on an
+/// edge it is the nearest point near it, in the face as well.
+bool PointInverter::Implementation::counts(
+  const PatchQuery& query, const Candidate& candidate) const
+{
+  const PreparedPatch& patch = this->Patches[candidate.patch];
+  if (patch.region)
+  {
+    return patch.region->contains(candidate.foot.local(0), candidate.foot.local(1));
+  }
+  if (!patch.edge)
+  {
+    return true;
+  }
+  // Feet where r is orthogonal to the surface, and meetings, are found on the surface.
+  return query.sought == Sought::Minimum &&
+    (!this->Options.all_feet ||
+      is_minimum_on_face(
+        *patch.edge, *this->Prepared->model()[patch.face].region, candidate.foot));
+}
+
 /// Calls found(candidate) for what is sought, as far as it is no farther than limit(); the same
 /// foot more than once. In global search splines are searched piece by piece; all else from starts.
 void PointInverter::Implementation::search(const PatchQuery& query, const Start& start,
@@ -68,6 +90,13 @@ void PointInverter::Implementation::search(const PatchQuery& query, const Start&
 {
   const CertifiedFeet* splines =
     this->Options.search == Search::Global ? this->Prepared->certified() : nullptr;
+  const auto take = [&](const Candidate& candidate)
+  {
+    if (this->counts(query, candidate))
+    {
+      found(candidate);
+    }
+  };
   if (splines)
   {
     splines->visit_starts(query, limit,
@@ -79,7 +108,7 @@ void PointInverter::Implementation::search(const PatchQuery& query, const Start&
           [&](const PatchFoot& foot)
           {
             const Candidate candidate{ k, foot };
-            found(candidate);
+            take(candidate);
             settled =
               settled || (!from.simple && this->settles(query, candidate, from, lower, upper));
           });
@@ -102,7 +131,7 @@ void PointInverter::Implementation::search(const PatchQuery& query, const Start&
       here.start = start.parameter;
       here.start(1) = this->Patches[k].patch->curve ? 0.0 : here.start(1);
     }
-    this->Patches[k].search->search(here, [&](const PatchFoot& foot) { found({ k, foot }); });
+    this->Patches[k].search->search(here, [&](const PatchFoot& foot) { take({ k, foot }); });
   }
 }
 
@@ -171,8 +200,13 @@ Foot PointInverter::Implementation::nearest_certified(
   for (const int k : distinct)
   {
     const std::size_t patch = certified.member(answer.feet[k]);
-    feet.push_back(
-      { patch, this->Patches[patch].search->refine(point, certified.patch_foot(answer.feet[k])) });
+    const PatchFoot found = certified.patch_foot(answer.feet[k]);
+    Candidate refined{ patch, this->Patches[patch].search->refine(point, found) };
+    if (this->Patches[patch].region && !this->counts(this->query(point, Sought::Minimum), refined))
+    {
+      refined.foot = found; // the way down led out of the face
+    }
+    feet.push_back(refined);
   }
   const bool is_certified = answer.certified && certified.complete();
   if (!is_certified)
@@ -199,15 +233,15 @@ void PointInverter::Implementation::add_uncertified(
   const CertifiedFeet& certified = *this->Prepared->certified();
   double best = feet.empty() ? this->Options.maximum_distance : feet.front().foot.distance;
   const auto limit = [&] { return best + tie_tolerance(best, this->Size); };
+  const PatchQuery query = this->query(point, Sought::Minimum);
   const auto found = [&](std::size_t k, const PatchFoot& foot)
   {
-    if (foot.distance <= limit() && foot.distance <= this->Options.maximum_distance)
+    if (this->counts(query, { k, foot }) && foot.distance <= limit() && foot.distance <= this->Options.maximum_distance)
     {
       best = std::min(best, foot.distance);
       feet.push_back({ k, foot });
     }
   };
-  const PatchQuery query = this->query(point, Sought::Minimum);
   if (on_splines)
   {
     certified.visit_pieces(point, limit,

@@ -10,6 +10,10 @@ namespace footpoint
 namespace
 {
 
+/// To which edges of trimmed faces are known in space, as a fraction of the size: a tenth of the
+/// default tolerance of certificates.
+constexpr double kEdgeTolerance = 1e-13;
+
 std::size_t number_of_patches(const Model& model)
 {
   std::size_t count = 0;
@@ -69,7 +73,6 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   SeedOptions seeding;
   seeding.resolution = parts.seed_resolution;
   Box box;
-  std::vector<CertifiedFeet::Member> members;
   for (std::size_t k = 0; k < this->Faces.size(); ++k)
   {
     const Face& face = this->Faces[k];
@@ -77,16 +80,24 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
     for (std::size_t i = 0; i < face.patches.size(); ++i)
     {
       const Patch& patch = face.patches[i];
-      PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], nullptr };
+      PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], face.region.get(), nullptr,
+        nullptr };
       prepared.search = patch.curve
         ? make_patch_search<1>(patch.curve, SolverOptions{}, seeding)
         : make_patch_search<2>(patch.surface, SolverOptions{}, seeding);
       box.add(prepared.search->box());
-      members.push_back({ &patch, prepared.face, face.reversed, shared[i] });
       this->Patches.push_back(std::move(prepared));
     }
   }
   this->Size = (box.upper - box.lower).stableNorm();
+  const std::vector<EdgePieces> edge_pieces = this->add_edges(seeding);
+  std::vector<CertifiedFeet::Member> members;
+  for (std::size_t k = 0; k < this->Patches.size(); ++k)
+  {
+    const PreparedPatch& patch = this->Patches[k];
+    members.push_back({ patch.patch, patch.face, this->Faces[patch.face].reversed, patch.shared,
+      patch.region, patch.edge, patch.edge ? &edge_pieces[k - count] : nullptr });
+  }
   if (parts.pieces)
   {
     const Patch& first = *this->Patches.front().patch;
@@ -96,13 +107,42 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   }
 }
 
+/// Adds the edges of all trimmed faces behind the patches; returns their pieces in the same order.
+std::vector<EdgePieces> PreparedModel::add_edges(const SeedOptions& seeding)
+{
+  std::vector<EdgePieces> result;
+  for (std::size_t k = 0; k < this->Faces.size(); ++k)
+  {
+    const Face& face = this->Faces[k];
+    if (!face.region || face.patches.empty())
+    {
+      continue;
+    }
+    const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches.front().surface);
+    for (const std::shared_ptr<const EdgeCurve>& edge : edge_curves(surface, *face.region))
+    {
+      result.push_back(edge_pieces(*edge, kEdgeTolerance * this->Size));
+      Box box;
+      for (const BezierPiece<1>& piece : result.back().pieces)
+      {
+        const std::array<Vector3, 2> corners = bounding_box<1>(piece);
+        box.add({ corners[0], corners[1] });
+      }
+      this->Edges.push_back(std::make_unique<const Patch>(Patch{ edge, nullptr }));
+      this->Patches.push_back({ this->Edges.back().get(), static_cast<int>(k), {}, nullptr,
+        edge.get(), make_patch_search<1>(edge, SolverOptions{}, seeding, box) });
+    }
+  }
+  return result;
+}
+
 std::vector<PreparedPatch> PreparedModel::patches(const InversionOptions& options) const
 {
   std::vector<PreparedPatch> result;
   result.reserve(this->Patches.size());
   for (const PreparedPatch& patch : this->Patches)
   {
-    result.push_back({ patch.patch, patch.face, patch.shared,
+    result.push_back({ patch.patch, patch.face, patch.shared, patch.region, patch.edge,
       patch.search->with(options.solver, options.seeding.number_of_seeds) });
   }
   return result;

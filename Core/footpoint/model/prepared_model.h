@@ -12,12 +12,14 @@
 namespace footpoint
 {
 
-/// A patch prepared for queries.
+/// A patch of a face, or an edge of a trimmed one as a curve, prepared for queries.
 struct PreparedPatch
 {
   const Patch* patch;
   int face;
-  SharedBorders shared; ///< its borders that other patches of the face continue
+  SharedBorders shared;     ///< its borders that other patches of the face continue
+  const TrimRegion* region; ///< of a trimmed face, on its surface; else null
+  const EdgeCurve* edge;    ///< the curve of the patch, where it is an edge; else null
   std::unique_ptr<PatchSearch> search;
 };
 
@@ -57,8 +59,11 @@ public:
   std::vector<PreparedPatch> patches(const InversionOptions& options) const;
 
 private:
+  std::vector<EdgePieces> add_edges(const SeedOptions& seeding);
+
   Model Faces;
   PreparedParts Parts;
+  std::vector<std::unique_ptr<const Patch>> Edges; ///< of trimmed faces
   std::vector<PreparedPatch> Patches;
   double Size = 0.0;
   std::optional<CertifiedFeet> Certified;

@@ -14,6 +14,8 @@ struct Box
   Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 upper = Vector3::Constant(-std::numeric_limits<double>::infinity());
 
+  bool empty() const { return !(this->lower.array() <= this->upper.array()).all(); }
+
   void add(const Box& other)
   {
     this->lower = this->lower.cwiseMin(other.lower);

@@ -599,6 +599,17 @@ public:
   /// The coefficients are not below a number.
   bool above(double number) const { return this->Least >= number + this->F.error; }
 
+  /// Convex, also if second differences of coefficients are less by up to four times a number.
+  bool convex(double shift) const
+  {
+    const double n = this->F.n;
+    const double m = this->F.m;
+    const double uu = n > 0.0 ? this->Bend[0] - 4.0 * n * (n - 1.0) * shift : 1.0;
+    const double vv = m > 0.0 ? this->Bend[1] - 4.0 * m * (m - 1.0) * shift : 1.0;
+    const double uv = n > 0.0 && m > 0.0 ? this->Twist + 4.0 * n * m * shift : 0.0;
+    return uu > 0.0 && vv > 0.0 && uv * uv * (1.0 + 8.0 * kRounding) < uu * vv;
+  }
+
   /// Convex, and the parabola that touches it at a place is not below a number.
   bool supported(double number, const Pair& at) const
   {

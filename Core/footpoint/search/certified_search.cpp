@@ -67,6 +67,10 @@ struct Slopes
   double greatest; ///< and the greatest of the coefficients, by magnitude
 };
 
+/// Edges of trimmed faces are proved for this part of the tolerance, so that what is left of it is
+/// there for the faces (Documentation/CertifiedSearch.md).
+constexpr double kPartOfEdges = 0.5;
+
 /// All that one query needs, over all pieces.
 class Finder
 {
@@ -125,6 +129,26 @@ private:
     return query;
   }
 
+  /// Whether a point of a piece counts: no trim loop leaves it out.
+  static bool is_kept(const Piece& piece, const Pair& t)
+  {
+    return !piece.region ||
+      piece.region->contains(
+        piece.lower[0] + t[0] * piece.width[0], piece.lower[1] + t[1] * piece.width[1]);
+  }
+
+  /// Whether no point of a cell of a piece counts.
+  static bool is_left_out(const Piece& piece, const Pair& lower, const Pair& upper)
+  {
+    auto local = [&piece](const Pair& t)
+    {
+      return Pair{ { piece.lower[0] + t[0] * piece.width[0],
+        piece.lower[1] + t[1] * piece.width[1] } };
+    };
+    return piece.region &&
+      piece.region->cover(local(lower), local(upper)) == TrimRegion::Cover::Outside;
+  }
+
   // === The distance form ===
 
   /// |P|² − T for T the square of the best distance, without the cancellation of large numbers, and
@@ -157,7 +181,9 @@ private:
   /// Finds the pieces that may hold something within reach.
   void collect();
   void collect(std::int32_t index);
-  /// A point of a piece bounds the distance from above. \param squared distance of that point
+  /// A point of a piece, if it is kept, bounds the distance from above.
+  void bound_by_point(const PieceQuery& query, const Pair& t);
+  /// \param squared distance of that point
   void bound_by(const PieceQuery& query, const Pair& t, double squared);
   /// Where the tangent plane of the piece's middle is nearest.
   Pair guess(const PieceQuery& query) const;
@@ -193,6 +219,12 @@ private:
   /// The cells that are left, with their forms relative to the best foot.
   Verdict prove_hard_cells(const PieceQuery& query);
   double view_of(const PieceQuery& query, CellView& view) const;
+  /// Whether F is negative for certain at a place that is trimmed away, where the distance is nearer
+  /// than edges are proved to be.
+  bool is_trimmed_away(const PieceQuery& query, const PieceFoot& place) const;
+  double excess_of(const PieceFoot& place) const;
+  /// Half of the tolerance for edges, less what they may be off.
+  double tolerance_of(const Piece& piece) const;
   bool improves_at_corner(
     const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f);
   Verdict prove_side(const PieceQuery& query, const Range& cell, const double* f, double error,
@@ -272,12 +304,14 @@ Finder::Level Finder::level_of(const PieceQuery& query, double distance) const
 
 Finder::Level Finder::reach_of(const PieceQuery& query) const
 {
+  const double error = query.piece->error;
   if (!this->found() || this->Bound < this->best().distance)
   {
-    return this->level_of(query, this->Bound < kInfinity ? this->Bound : 0.0);
+    return this->level_of(query, this->Bound < kInfinity ? this->Bound + error : 0.0);
   }
   Level level = this->level_of(query);
-  const double tie = this->tie() * (2.0 * this->best().distance + this->tie());
+  const double more = this->tie() + error;
+  const double tie = more * (2.0 * this->best().distance + more);
   level.constant -= tie;
   level.level += tie;
   return level;
@@ -498,19 +532,32 @@ void Finder::begin_with(std::int32_t index, double squared)
   if (squared <= kNearPiece * kNearPiece * reach * reach)
   {
     this->descend_from(query, start);
+    if (query.piece->region && !this->found())
+    {
+      this->bound_by_point(query, query.piece->kept); // the foot is trimmed away
+    }
     return;
   }
+  if (query.piece->region)
+  {
+    this->bound_by_point(query, query.piece->kept);
+  }
+  this->bound_by_point(query, start);
+  this->collect(index);
+}
+
+void Finder::bound_by_point(const PieceQuery& query, const Pair& t)
+{
   Place place;
-  place.t = start;
+  place.t = t;
   evaluate_at(query, place);
   const Level level = this->level_of(query, std::sqrt(place.squared));
   this->bound_by(query, place.t, place.squared + 2.0 * level.margin);
-  this->collect(index);
 }
 
 void Finder::bound_by(const PieceQuery& query, const Pair& t, double squared)
 {
-  if (squared < this->SquaredBound)
+  if (squared < this->SquaredBound && (t == query.piece->kept || is_kept(*query.piece, t)))
   {
     this->SquaredBound = squared;
     this->Bound = std::sqrt(std::max(squared, 0.0)) * (1.0 + 4.0 * kRounding);
@@ -613,7 +660,8 @@ PieceFoot Finder::foot_of(const PieceQuery& query, const Place& place, int itera
 
 bool Finder::keep(const PieceFoot& foot)
 {
-  if (!(foot.distance <= this->reach()))
+  if (!(foot.distance <= this->reach()) ||
+    !is_kept(this->Structure.forms.pieces()[foot.piece], foot.t))
   {
     return false;
   }

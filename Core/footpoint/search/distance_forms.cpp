@@ -3,6 +3,7 @@
 
 #include "footpoint/search/form_products.h"
 #include "footpoint/search/piece_cutting.h"
+#include "footpoint/search/trimmed_pieces.h"
 #include "footpoint/splines/binomials.h"
 
 #include <algorithm>
@@ -77,6 +78,11 @@ Vector3 origin_of(
     return points.col(last);
   }
   return middle;
+}
+
+bool is_rational(const BezierPiece<1>& piece)
+{
+  return (piece.control.row(3).array() != piece.control(3, 0)).any();
 }
 
 PieceSide side_of(const Direction& direction, double at, const std::array<bool, 2>& special)
@@ -178,6 +184,11 @@ PieceShape::PieceShape(int p, int q, bool is_rational)
   }
 }
 
+const PieceShape* DistanceForms::shape_of(const Surface& surface)
+{
+  return this->shape(surface.knots(0).degree(), surface.knots(1).degree(), surface.rational());
+}
+
 const PieceShape* DistanceForms::shape(int p, int q, bool rational)
 {
   for (const auto& known : this->Shapes)
@@ -241,6 +252,10 @@ void DistanceForms::append(std::int32_t patch, const Source& source, std::size_t
         piece.origin[i] = offset(i) + origin(i);
       }
       fill_place<N>(geometry, special, bezier, piece);
+      piece.region = nullptr;
+      piece.kept = { { 0.5, 0.5 } };
+      piece.edge = false;
+      piece.error = 0.0;
       this->Pieces.push_back(piece);
       this->Boxes.push_back({ { lower + offset, upper + offset } });
     });
@@ -255,10 +270,14 @@ void DistanceForms::add(std::int32_t patch, const Curve& curve, const Vector3& o
 }
 
 void DistanceForms::add(std::int32_t patch, const Surface& surface, const Vector3& offset,
-  const std::array<std::array<bool, 2>, 2>& special)
+  const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region)
 {
-  const PieceShape* shape =
-    this->shape(surface.knots(0).degree(), surface.knots(1).degree(), surface.rational());
+  if (region)
+  {
+    this->add_trimmed(patch, surface, offset, special, *region);
+    return;
+  }
+  const PieceShape* shape = this->shape_of(surface);
   const SurfacePieces extracted(surface);
   bool cut = extracted.size() < this->FewPieces;
   if (!cut && surface.rational())
@@ -273,6 +292,55 @@ void DistanceForms::add(std::int32_t patch, const Surface& surface, const Vector
   }
   const KeptPieces<2> pieces{ cut_pieces<2>(extract_bezier(surface), this->FewPieces) };
   this->append<2>(patch, pieces, pieces.all.size(), surface, shape, offset, special);
+}
+
+void DistanceForms::add_trimmed(std::int32_t patch, const Surface& surface, const Vector3& offset,
+  const std::array<std::array<bool, 2>, 2>& special, const TrimRegion& region)
+{
+  const KeptPieces<2> pieces{ kept_pieces(surface, region, this->FewPieces) };
+  const std::size_t begin = this->Pieces.size();
+  this->append<2>(
+    patch, pieces, pieces.all.size(), surface, this->shape_of(surface), offset, special);
+  for (std::size_t k = begin; k < this->Pieces.size(); ++k)
+  {
+    Piece& piece = this->Pieces[k];
+    if (keeps_all(region, piece.lower, piece.upper))
+    {
+      continue;
+    }
+    piece.region = &region;
+    const std::array<double, 2> kept = kept_point(region, piece.lower, piece.upper);
+    for (int i = 0; i < 2; ++i)
+    {
+      piece.kept[i] = (kept[i] - piece.lower[i]) / piece.width[i];
+    }
+  }
+}
+
+void DistanceForms::add(std::int32_t patch, const EdgeCurve& edge, const EdgePieces& pieces,
+  const Vector3& offset)
+{
+  // Pieces of one degree and kind lie one after the other.
+  for (auto first = pieces.pieces.begin(); first != pieces.pieces.end();)
+  {
+    const bool rational = is_rational(*first);
+    const auto last = std::find_if(first, pieces.pieces.end(),
+      [&](const BezierPiece<1>& piece)
+      { return piece.degree != first->degree || is_rational(piece) != rational; });
+    const KeptPieces<1> alike{ { first, last } };
+    const std::size_t begin = this->Pieces.size();
+    this->append<1>(patch, alike, alike.all.size(), edge, this->shape(0, first->degree[0], rational),
+      offset, { { { { false, false } }, { { false, false } } } });
+    const Vector3 around = Vector3::Constant(pieces.error);
+    for (std::size_t k = begin; k < this->Pieces.size(); ++k)
+    {
+      this->Pieces[k].edge = true;
+      this->Pieces[k].error = pieces.error;
+      this->Boxes[k][0] -= around;
+      this->Boxes[k][1] += around;
+    }
+    first = last;
+  }
 }
 
 } // namespace footpoint

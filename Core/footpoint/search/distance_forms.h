@@ -3,6 +3,7 @@
 
 #include "footpoint/search/aligned_array.h"
 #include "footpoint/splines/bezier.h"
+#include "footpoint/trims/edge_curve.h"
 
 #include <array>
 #include <cstdint>
@@ -58,6 +59,10 @@ struct Piece
   std::array<double, 2> upper;
   std::int32_t patch;
   std::array<std::array<PieceSide, 2>, 2> sides; ///< [direction][end]
+  const TrimRegion* region; ///< of which the piece's points have to be; null: all of them count
+  std::array<double, 2> kept; ///< a point of the piece that the region keeps
+  bool edge;    ///< of a trimmed face
+  double error; ///< how far the piece may be from the geometry, beyond rounding
 };
 
 /// The Bézier pieces of all splines of a model, each with its *distance form*: for a query P and a
@@ -85,8 +90,11 @@ public:
   /// \param special sides that are no boundary: [direction][end]
   void add(std::int32_t patch, const Curve& curve, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special);
+  /// \param region outlives the forms; what it does not keep is left out. Null: not trimmed.
   void add(std::int32_t patch, const Surface& surface, const Vector3& offset,
-    const std::array<std::array<bool, 2>, 2>& special);
+    const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region = nullptr);
+  void add(std::int32_t patch, const EdgeCurve& edge, const EdgePieces& pieces,
+    const Vector3& offset);
 
   const std::vector<Piece>& pieces() const { return this->Pieces; }
 
@@ -95,7 +103,10 @@ public:
 
 private:
   const PieceShape* shape(int p, int q, bool rational);
+  const PieceShape* shape_of(const Surface& surface);
   /// \param source whose for_each(visit) gives `count` Bézier pieces, one after the other
+  void add_trimmed(std::int32_t patch, const Surface& surface, const Vector3& offset,
+    const std::array<std::array<bool, 2>, 2>& special, const TrimRegion& region);
   template <int N, class Source>
   void append(std::int32_t patch, const Source& source, std::size_t count,
     const ParametricGeometry<N>& geometry, const PieceShape* shape, const Vector3& offset,

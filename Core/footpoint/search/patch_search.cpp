@@ -69,10 +69,11 @@ Box control_box(const ParametricSurface& geometry)
 template <int N>
 struct PatchParts
 {
-  PatchParts(std::shared_ptr<const ParametricGeometry<N>> geometry, int seed_resolution)
+  PatchParts(std::shared_ptr<const ParametricGeometry<N>> geometry, int seed_resolution,
+    const Box& bounds)
     : Shared(std::move(geometry))
-    , Bounds(control_box(*this->Shared))
-    , Spline((this->Bounds.lower.array() <= this->Bounds.upper.array()).all())
+    , Bounds(bounds.empty() ? control_box(*this->Shared) : bounds)
+    , Spline(!this->Bounds.empty())
     , Seeds(*this->Shared, SeedOptions{ seed_resolution, 1 })
     , Dense(*this->Shared, this->Spline ? SeedOptions{ 2, 1 } : kDenseSeeds)
   {
@@ -619,15 +620,16 @@ bool PatchSearchOf<N>::level(const Vector3& point, const PatchFoot& a, const Pat
 template <int N>
 std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
-  const SeedOptions& seeding)
+  const SeedOptions& seeding, const Box& bounds)
 {
-  auto parts = std::make_shared<const PatchParts<N>>(std::move(geometry), seeding.resolution);
+  auto parts =
+    std::make_shared<const PatchParts<N>>(std::move(geometry), seeding.resolution, bounds);
   return std::make_unique<PatchSearchOf<N>>(std::move(parts), solver, seeding.number_of_seeds);
 }
 
 template std::unique_ptr<PatchSearch> make_patch_search<1>(
-  std::shared_ptr<const ParametricCurve>, const SolverOptions&, const SeedOptions&);
+  std::shared_ptr<const ParametricCurve>, const SolverOptions&, const SeedOptions&, const Box&);
 template std::unique_ptr<PatchSearch> make_patch_search<2>(
-  std::shared_ptr<const ParametricSurface>, const SolverOptions&, const SeedOptions&);
+  std::shared_ptr<const ParametricSurface>, const SolverOptions&, const SeedOptions&, const Box&);
 
 } // namespace footpoint

@@ -122,9 +122,11 @@ public:
   virtual bool lower(const PatchFoot& a, const PatchFoot& b) const = 0;
 };
 
+/// \param bounds a box around the geometry, relative to its centre; empty: of its control points,
+///               or where it has none of samples
 template <int N>
 std::unique_ptr<PatchSearch> make_patch_search(
   std::shared_ptr<const ParametricGeometry<N>> geometry, const SolverOptions& solver,
-  const SeedOptions& seeding);
+  const SeedOptions& seeding, const Box& bounds = {});
 
 } // namespace footpoint

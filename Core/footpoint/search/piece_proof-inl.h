@@ -254,15 +254,24 @@ bool Finder::prove_all()
   // Pieces are left out under a bound that some point gives. Where no foot is as near (rounding made that
   // point nearer than it is, or a descent from it failed), they are not proved.
   bool proved = !this->found() || this->best().distance <= this->Bound + this->Query.tolerance;
-  for (std::size_t k = 0; k < this->Workspace.survivors.size(); ++k)
+  // What is trimmed comes last: its proof wants that of the edges, and what they improve.
+  for (const bool trimmed : { false, true })
   {
-    const PieceFoot survivor = this->Workspace.survivors[k];
-    Verdict verdict = Verdict::Improved;
-    while (verdict == Verdict::Improved)
+    for (std::size_t k = 0; k < this->Workspace.survivors.size(); ++k)
     {
-      verdict = this->prove(survivor);
+      const PieceFoot survivor = this->Workspace.survivors[k];
+      const Piece& piece = this->Structure.forms.pieces()[survivor.piece];
+      if ((piece.region != nullptr) != trimmed)
+      {
+        continue;
+      }
+      Verdict verdict = Verdict::Improved;
+      while (verdict == Verdict::Improved)
+      {
+        verdict = this->prove(survivor);
+      }
+      proved = proved && verdict == Verdict::Proved;
     }
-    proved = proved && verdict == Verdict::Proved;
   }
   // Feet may have come nearer meanwhile.
   return proved || (this->found() && this->best().distance <= this->Query.tolerance);
@@ -276,7 +285,11 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   const Level level =
     this->found() ? this->level_of(query) : this->level_of(query, this->Query.limit);
   const double distance = this->found() ? this->best().distance : this->Query.limit;
-  const double tolerance = std::min(this->Query.tolerance, distance);
+  const double tolerance = std::min(this->tolerance_of(piece), distance);
+  if (tolerance < 0.0)
+  {
+    return Verdict::Open;
+  }
   this->Slack = this->found() ? tolerance * (2.0 * distance - tolerance) : 0.0;
   this->Margin = level.margin * piece.greatest_weight;
   this->Shift = shape.rational ? this->Slack * piece.greatest_weight : 0.0;
@@ -295,6 +308,11 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     const SearchWorkspace::Cell cell = cells.back();
     const std::size_t at = cells.size() - 1;
     if (cell.least >= cell.error)
+    {
+      cells.pop_back();
+      continue;
+    }
+    if (cell.depth > 0 && is_left_out(piece, cell.lower, cell.upper))
     {
       cells.pop_back();
       continue;
@@ -366,6 +384,43 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   return hard.empty() ? Verdict::Proved : this->prove_hard_cells(query);
 }
 
+double Finder::tolerance_of(const Piece& piece) const
+{
+  return piece.edge ? kPartOfEdges * this->Query.tolerance - piece.error : this->Query.tolerance;
+}
+
+/// |S − P|² at a place less the best, without the cancellation of large numbers:
+/// (S − f)·(S + f − 2P); less the limit where nothing was found.
+double Finder::excess_of(const PieceFoot& place) const
+{
+  if (!this->found())
+  {
+    return place.distance * place.distance - this->Query.limit * this->Query.limit;
+  }
+  const PieceFoot& foot = this->best();
+  double excess = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    excess += (place.position[k] - foot.position[k]) * (place.offset[k] + foot.offset[k]);
+  }
+  return excess;
+}
+
+bool Finder::is_trimmed_away(const PieceQuery& query, const PieceFoot& place) const
+{
+  if (is_kept(*query.piece, place.t))
+  {
+    return false;
+  }
+  const double distance = this->found() ? this->best().distance : this->Query.limit;
+  const double proved =
+    this->found() ? std::min(kPartOfEdges * this->Query.tolerance, distance) : 0.0;
+  // Positions and offsets are off by a few roundings of their size.
+  const double rounding =
+    64.0 * kRounding * (this->Query.size + distance) * (place.distance + distance);
+  return this->excess_of(place) < -proved * (2.0 * distance - proved) - rounding;
+}
+
 /// Where the best foot is, and how far F may fall below zero, over w².
 double Finder::view_of(const PieceQuery& query, CellView& view) const
 {
@@ -388,7 +443,7 @@ double Finder::view_of(const PieceQuery& query, CellView& view) const
   const int degrees = piece.shape->degree[0] + piece.shape->degree[1];
   double moved = (12.0 * degrees + 8.0) * kRounding * size;
   constexpr double kSmallPart = 0.1; // of the tolerance
-  if (view.offset_error < kSmallPart * this->Query.tolerance)
+  if (view.offset_error < kSmallPart * this->tolerance_of(piece))
   {
     moved += 2.0 * view.offset_error;
     view.offset_error = 0.0;
@@ -398,7 +453,7 @@ double Finder::view_of(const PieceQuery& query, CellView& view) const
     const double limit = this->Query.limit + moved;
     return (foot.distance - limit) * (foot.distance + limit) * (1.0 - 8.0 * kRounding);
   }
-  const double tolerance = std::min(this->Query.tolerance - moved, foot.distance);
+  const double tolerance = std::min(this->tolerance_of(piece) - moved, foot.distance);
   return tolerance * (2.0 * foot.distance - tolerance) * (1.0 - 8.0 * kRounding);
 }
 
@@ -419,6 +474,10 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
     if (++this->HardCells > kMostHardCells && next >= kFewestHardCells)
     {
       return Verdict::Open;
+    }
+    if (is_left_out(*query.piece, cell.lower, cell.upper))
+    {
+      continue;
     }
     const Range range{ cell.lower, cell.upper };
     const double width[2] = { range.upper[0] - range.lower[0], range.upper[1] - range.lower[1] };
@@ -474,6 +533,12 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
     {
       continue;
     }
+    if (query.piece->region &&
+      bounds.convex(query.piece->shape->rational ? slack * query.piece->greatest_weight : 0.0) &&
+      this->is_trimmed_away(query, this->foot_of(query, place, iterations)))
+    {
+      continue;
+    }
     int cut = bounds.bend(0) > bounds.bend(1) ? 0 : 1;
     const Stiffest stiffest = stiffest_of(place, width);
     if (form.is_surface() && stiffest.part > 0.0)
@@ -515,6 +580,12 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
   return Verdict::Proved;
 }
 
+HWY_INLINE Pair corner_of(const SearchWorkspace::Cell& cell, int corner)
+{
+  return { { (corner / 2 == 0 ? cell.lower : cell.upper)[0],
+    (corner % 2 == 0 ? cell.lower : cell.upper)[1] } };
+}
+
 /// The coefficients at the corners are values of F: where one is negative the corner itself is
 /// nearer than the best foot, and a descent from there finds what is nearer still.
 bool Finder::improves_at_corner(
@@ -527,7 +598,7 @@ bool Finder::improves_at_corner(
   {
     const double value =
       f[corner / 2 * (shape.rows - 1) * shape.stride + corner % 2 * (shape.columns - 1)];
-    if (value < least)
+    if (value < least && is_kept(*query.piece, corner_of(cell, corner)))
     {
       least = value;
       found = corner;
@@ -538,8 +609,7 @@ bool Finder::improves_at_corner(
     return false;
   }
   Place place;
-  place.t = { { (found / 2 == 0 ? cell.lower : cell.upper)[0],
-    (found % 2 == 0 ? cell.lower : cell.upper)[1] } };
+  place.t = corner_of(cell, found);
   const int iterations = descend(query, kWholePiece, place);
   return this->keep(this->foot_of(query, place, iterations));
 }
@@ -663,7 +733,8 @@ Finder::Verdict Finder::support(const PieceQuery& query, const Range& range, con
     place.t[i] = std::min(std::max(start[i], range.lower[i]), range.upper[i]);
     inside = inside && place.t[i] == known.t[i];
   }
-  if (inside && this->supports(query, range, known))
+  if (inside &&
+    (this->supports(query, range, known) || this->is_trimmed_away(query, known)))
   {
     return Verdict::Proved;
   }
@@ -679,28 +750,15 @@ Finder::Verdict Finder::support(const PieceQuery& query, const Range& range, con
       return Verdict::Improved;
     }
   }
-  return this->supports(query, range, foot) ? Verdict::Proved : Verdict::Open;
+  const bool proved = this->supports(query, range, foot) || this->is_trimmed_away(query, foot);
+  return proved ? Verdict::Proved : Verdict::Open;
 }
 
 /// Whether the tangent plane of F = w² (|S − P|² − d²) at a place stays above what is allowed.
 bool Finder::supports(const PieceQuery& query, const Range& range, const PieceFoot& place) const
 {
   const Piece& piece = *query.piece;
-  double excess;
-  if (this->found())
-  {
-    // Without the cancellation of large numbers: (S − f)·(S + f − 2P).
-    const PieceFoot& foot = this->best();
-    excess = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      excess += (place.position[k] - foot.position[k]) * (place.offset[k] + foot.offset[k]);
-    }
-  }
-  else
-  {
-    excess = place.distance * place.distance - this->Query.limit * this->Query.limit;
-  }
+  const double excess = this->excess_of(place);
   const double w = place.weight[0];
   double value = w * w * excess;
   for (int i = 0; i < 2; ++i)
