@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/trims/trim_region.h"
+
+#include "footpoint/common/errors.h"
+#include "footpoint/splines/validation.h"
+#include "footpoint/trims/loop_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace footpoint
+{
+
+namespace
+{
+
+/// Which way rays run: a is the coordinate they are parted by, b the one they run along.
+struct RayPlane
+{
+  int a;
+  int b;
+  /// +1 where (a, b) is (u, v), −1 where it is (v, u): swapping them turns left into right.
+  int orientation;
+};
+
+/// Gauss–Legendre nodes and weights on [0, 1] of order 16: exact for u·v' of polynomial arcs up to
+/// degree 16.
+constexpr int kNodes = 8;
+constexpr double kNode[kNodes] = { 0.0950125098376374, 0.2816035507792589, 0.4580167776572274,
+  0.6178762444026438, 0.7554044083550030, 0.8656312023878318, 0.9445750230732326,
+  0.9894009349916499 };
+constexpr double kWeight[kNodes] = { 0.1894506104550685, 0.1826034150449236, 0.1691565193950025,
+  0.1495959888165767, 0.1246289712555339, 0.0951585116824928, 0.0622535239386479,
+  0.0271524594117541 };
+
+/// ∫ (b − b0) da along an arc.
+double area_below(const ChainArc& arc, int a, int b, double b0)
+{
+  const auto& control = arc.arc.control;
+  double sum = 0.0;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> points;
+  for (int k = 0; k < 2 * kNodes; ++k)
+  {
+    const double t = 0.5 + (k % 2 == 0 ? 0.5 : -0.5) * kNode[k / 2];
+    points = control;
+    Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+    for (Eigen::Index last = control.cols() - 1; last > 0; --last)
+    {
+      if (last == 1)
+      {
+        slope = (control.cols() - 1) * (points.col(1) - points.col(0));
+      }
+      for (Eigen::Index j = 0; j < last; ++j)
+      {
+        points.col(j) = (1.0 - t) * points.col(j) + t * points.col(j + 1);
+      }
+    }
+    const Eigen::Vector3d point = points.col(0);
+    const double da = (slope[a] - point[a] / point[2] * slope[2]) / point[2];
+    sum += 0.5 * kWeight[k / 2] * (point[b] / point[2] - b0) * da;
+  }
+  return sum;
+}
+
+double area_below(const LoopChain& chain, int a, int b, double b0)
+{
+  double sum = 0.0;
+  for (const ChainArc& arc : chain.arcs)
+  {
+    sum += area_below(arc, a, b, b0);
+  }
+  return sum;
+}
+
+RayPlane choose_rays(const std::vector<LoopChain>& chains)
+{
+  std::array<int, 2> winds{ { -1, -1 } };
+  for (std::size_t k = 0; k < chains.size(); ++k)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      if (chains[k].turns[i] != 0 && winds[i] < 0)
+      {
+        winds[i] = static_cast<int>(k);
+      }
+    }
+  }
+  if (winds[0] >= 0 && winds[1] >= 0)
+  {
+    throw GeometryError(GeometryDefect::Format,
+      "trim loop " + std::to_string(winds[0]) + " runs around the surface in u and trim loop " +
+        std::to_string(winds[1]) + " in v; loops that run around both ways bound no region");
+  }
+  return winds[1] >= 0 ? RayPlane{ 1, 0, -1 } : RayPlane{ 0, 1, 1 };
+}
+
+/// Copies of a loop along b, as numbers of periods, that reach into the domain.
+std::vector<int> copies(const LoopChain& chain, int b, const TrimPlane& plane)
+{
+  if (!plane.closed(b) || chain.arcs.empty())
+  {
+    return { 0 };
+  }
+  double low = chain.arcs.front().end[0][b];
+  double high = low;
+  for (const ChainArc& arc : chain.arcs)
+  {
+    low = std::min(low, arc.end[1][b]);
+    high = std::max(high, arc.end[1][b]);
+  }
+  const double length = plane.length(b);
+  std::vector<int> found;
+  for (int k = static_cast<int>(std::floor(-high / length)); low + k * length < length; ++k)
+  {
+    if (high + k * length > 0.0)
+    {
+      found.push_back(k);
+    }
+  }
+  return found;
+}
+
+/// The winding number that has to be added so that the left side of the outermost loop is 1.
+int base_winding(
+  const std::vector<LoopChain>& chains, const RayPlane& rays, const TrimPlane& plane)
+{
+  struct Height
+  {
+    double at;
+    int turns; ///< +1 keeps what lies above it
+  };
+  std::vector<Height> heights; // of the loops that run around the surface
+  double largest = 0.0;
+  for (const LoopChain& chain : chains)
+  {
+    if (chain.arcs.empty())
+    {
+      continue;
+    }
+    const int turns = chain.turns[rays.a];
+    const double b0 = chain.arcs.front().end[0][rays.b];
+    const double area = area_below(chain, rays.a, rays.b, b0);
+    if (turns != 0)
+    {
+      for (const int copy : copies(chain, rays.b, plane))
+      {
+        heights.push_back({ b0 + area / (turns * plane.length(rays.a)) + copy * plane.length(rays.b),
+          turns * rays.orientation });
+      }
+    }
+    else if (std::abs(area) > std::abs(largest))
+    {
+      largest = -area * rays.orientation; // counter-clockwise: positive
+    }
+  }
+  if (heights.empty())
+  {
+    return largest < 0.0 ? 1 : 0;
+  }
+  std::sort(heights.begin(), heights.end(),
+    [](const Height& a, const Height& b) { return a.at < b.at; });
+  return heights.front().turns > 0 ? 0 : 1;
+}
+
+/// Where the middle of an arc's coordinate i lies, in periods; along the seam on the side whose
+/// region the arc keeps.
+double period_of(const ChainArc& arc, int i, double length)
+{
+  const double start = arc.end[0][i];
+  const double end = arc.end[1][i];
+  const double period = std::floor((0.5 * start + 0.5 * end) / length);
+  if (start != end || start != period * length)
+  {
+    return period;
+  }
+  const int other = 1 - i;
+  const bool ascending = arc.end[1][other] > arc.end[0][other];
+  return ascending == (i == 0) ? period - 1.0 : period;
+}
+
+/// Shifts the arcs of a loop into the domain, along one direction.
+void shift_into_domain(LoopChain& chain, int i, const TrimPlane& plane)
+{
+  if (!plane.closed(i))
+  {
+    return;
+  }
+  const double length = plane.length(i);
+  for (ChainArc& arc : chain.arcs)
+  {
+    const double period = period_of(arc, i, length);
+    if (period != 0.0)
+    {
+      shift(arc, i, -period * length);
+      for (int which = 0; which < 2; ++which)
+      {
+        const double at = arc.end[which][i];
+        place_end(arc, which, i, plane.snapped(i, at));
+      }
+    }
+  }
+  // Coming round, the end differs from the start by the rounding of a period.
+  double start = chain.arcs.empty() ? 0.0 : chain.arcs.front().end[0][i];
+  for (auto arc = chain.arcs.rbegin(); chain.turns[i] != 0 && arc != chain.arcs.rend(); ++arc)
+  {
+    if (std::abs(arc->end[1][i] - start) > plane.rounding(i))
+    {
+      break; // on the seam
+    }
+    if (arc->end[0][i] != arc->end[1][i])
+    {
+      place_end(*arc, 1, i, start);
+      break;
+    }
+    make_constant(*arc, i, start);
+  }
+}
+
+IndexedArc indexed(const ChainArc& arc, const RayPlane& rays, double by)
+{
+  IndexedArc result{ arc.arc.control, {}, rays.orientation };
+  result.control.row(0) = arc.arc.control.row(rays.a);
+  result.control.row(1) = arc.arc.control.row(rays.b) + by * arc.arc.control.row(2);
+  for (int which = 0; which < 2; ++which)
+  {
+    result.end[which] = { arc.end[which][rays.a], arc.end[which][rays.b] + by };
+  }
+  return result;
+}
+
+} // namespace
+
+TrimRegion::TrimRegion(
+  const std::vector<TrimLoop>& loops, const Surface& surface, double tolerance)
+{
+  if (loops.empty())
+  {
+    throw GeometryError(GeometryDefect::Format, "a trimmed face needs at least one loop");
+  }
+  const TrimPlane plane(surface);
+  const double largest_gap = std::max(tolerance, kLargestGap * surface.size());
+  std::vector<LoopChain> chains;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+  {
+    chains.push_back(make_chain(loops[k], static_cast<int>(k), surface, plane, largest_gap));
+    this->LargestGap = std::max(this->LargestGap, chains.back().largest_gap);
+  }
+  const RayPlane rays = choose_rays(chains);
+  const int base = base_winding(chains, rays, plane);
+
+  std::vector<IndexedArc> arcs;
+  for (LoopChain& chain : chains)
+  {
+    const std::vector<int> all_copies = copies(chain, rays.b, plane);
+    shift_into_domain(chain, rays.a, plane);
+    for (const ChainArc& arc : chain.arcs)
+    {
+      for (const int copy : all_copies)
+      {
+        arcs.push_back(indexed(arc, rays, copy * plane.length(rays.b)));
+      }
+    }
+    shift_into_domain(chain, rays.b, plane);
+    for (ChainArc& arc : chain.arcs)
+    {
+      arc.arc.inside_domain = true;
+      for (int i = 0; i < 2; ++i)
+      {
+        arc.arc.inside_domain = arc.arc.inside_domain && plane.inside(i, arc.end[0][i]) &&
+          plane.inside(i, arc.end[1][i]);
+      }
+      this->Arcs.push_back(std::move(arc.arc));
+    }
+  }
+  this->Swapped = rays.a == 1;
+  this->Index = WindingIndex(arcs, { { plane.length(rays.a), plane.length(rays.b) } },
+    { { plane.rounding(rays.a), plane.rounding(rays.b) } }, base);
+}
+
+TrimRegion::Cover TrimRegion::cover(
+  const std::array<double, 2>& lower, const std::array<double, 2>& upper) const
+{
+  const std::array<double, 2> low{ { lower[this->Swapped], lower[1 - this->Swapped] } };
+  const std::array<double, 2> high{ { upper[this->Swapped], upper[1 - this->Swapped] } };
+  if (this->Index.crossed(low, high))
+  {
+    return Cover::Crossed;
+  }
+  const double a = 0.5 * low[0] + 0.5 * high[0];
+  const double b = 0.5 * low[1] + 0.5 * high[1];
+  return this->Index.winding(a, b) > 0 ? Cover::Inside : Cover::Outside;
+}
+
+} // namespace footpoint
