@@ -12,13 +12,14 @@ namespace
 
 using Homogeneous = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b
-/// (L. Ramshaw 1989). All its coefficients are sums of positive products; at high degree nothing
-/// cancels.
-BezierSpan extract_span(const KnotVector& knots, double a, double b)
+} // namespace
+
+// Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b
+// (L. Ramshaw 1989). All its coefficients are sums of positive products; at high degree nothing
+// cancels.
+BezierSpan bezier_span(const KnotVector& knots, int span, double a, double b)
 {
   const int p = knots.degree();
-  const int span = knots.find_span(a, Side::Right);
   BezierSpan piece{ a, b, span - p, Eigen::MatrixXd(p + 1, p + 1) };
   for (int j = 0; j <= p; ++j)
   {
@@ -32,15 +33,14 @@ BezierSpan extract_span(const KnotVector& knots, double a, double b)
   return piece;
 }
 
-} // namespace
-
 std::vector<BezierSpan> bezier_spans(const KnotVector& knots)
 {
   std::vector<BezierSpan> pieces;
   const std::vector<DistinctKnot>& distinct = knots.distinct_knots();
   for (std::size_t i = 0; i + 1 < distinct.size(); ++i)
   {
-    pieces.push_back(extract_span(knots, distinct[i].at, distinct[i + 1].at));
+    const int span = knots.find_span(distinct[i].at, Side::Right);
+    pieces.push_back(bezier_span(knots, span, distinct[i].at, distinct[i + 1].at));
   }
   return pieces;
 }

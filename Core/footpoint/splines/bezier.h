@@ -31,6 +31,9 @@ struct BezierSpan
   Eigen::MatrixXd matrix; ///< Bézier point j = Σ_i control point (first + i) · matrix(i, j)
 };
 
+/// The operator for [a, b], a span or a part of one. \param span from KnotVector::find_span
+BezierSpan bezier_span(const KnotVector& knots, int span, double a, double b);
+
 /// The extraction operators of all spans (M. J. Borden et al. 2011), ascending.
 std::vector<BezierSpan> bezier_spans(const KnotVector& knots);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "footpoint/splines/bezier.h"
-#include "footpoint/trims/trim_region.h"
+#include "footpoint/trims/arc_cell.h"
 
 #include <memory>
 #include <vector>
@@ -10,14 +10,16 @@
 namespace footpoint
 {
 
-/// An edge of a trimmed face in space: S(c(t)), a surface after a trim curve.
+/// An edge of a trimmed face in space: S(c(t)), a surface after a trim curve. Its centre() is that of
+/// the surface.
 class EdgeCurve : public ParametricCurve
 {
 public:
   /// \param surface of the face; kept alive
   /// \param arcs    a run of arcs of one loop curve inside the domain, each beginning where the one
   ///                before it ends. The local parameter t of the edge runs over the ranges of the
-  ///                arcs, from 0.
+  ///                arcs, from 0 (over a length of 1 where a range is empty, as that of a gap).
+  /// \throw GeometryError (Format) without arcs, or where the edge is a single point
   EdgeCurve(std::shared_ptr<const Surface> surface, std::vector<TrimArc> arcs);
 
   Jet<1> jet(const Parameter<1>& t, const Sides<1>& sides, int order) const override;
@@ -27,10 +29,18 @@ public:
 
   const Surface& surface() const { return *this->Base; }
   const std::vector<TrimArc>& arcs() const { return this->Arcs; }
+  /// Where each arc lies between the knot lines of the surface.
+  const std::vector<ArcCell>& cells() const { return this->Cells; }
 
 private:
+  /// The arc that holds t; where two meet the one on the given side.
+  std::size_t arc_at(double t, Side side) const;
+  /// Size from samples; breaks where arcs meet with a kink.
+  void measure();
+
   std::shared_ptr<const Surface> Base;
   std::vector<TrimArc> Arcs;
+  std::vector<ArcCell> Cells;
 };
 
 /// An edge as Bézier pieces in space, for searching.
@@ -49,6 +59,8 @@ struct EdgePieces
 EdgePieces edge_pieces(const EdgeCurve& edge, double tolerance);
 
 /// The edges of a face: one for each run of arcs of one loop curve (or closed gap) in the domain.
+/// Left out are arcs of no length in the parameters and edges that are one point in space (to
+/// kClosureTolerance of the surface's size), as those along a pole.
 std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
   const std::shared_ptr<const Surface>& surface, const TrimRegion& region);
 
