@@ -1,11 +1,12 @@
-# Everything that needs VTK: the module Footpoint::Filters, its Python package and the ParaView plugin.
+# Everything that needs VTK: the modules Footpoint::Filters and Footpoint::IO, their Python package and
+# the ParaView plugin.
 
 # --- VTK: either flavour defines the VTK:: targets and the vtk_module_* functions. Always with
 # COMPONENTS: without, every optional third party is demanded. The first two lines hold every module
-# that Filters/vtk.module names.
+# that Filters/vtk.module and IO/vtk.module name.
 set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonComputationalGeometry ParallelCore
-  Python WrappingPythonCore)
+  Python WrappingPythonCore vtksys)
 if (BUILD_TESTING)
   list(APPEND vtk_components
     FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources ImagingCore
@@ -27,10 +28,10 @@ endif ()
 message(STATUS "Footpoint: VTK ${VTK_VERSION} from ${VTK_DIR}, SMP ${VTK_SMP_BACKENDS}")
 
 # --- The VTK modules
-vtk_module_find_modules(module_files "${CMAKE_SOURCE_DIR}/Filters")
+vtk_module_find_modules(module_files "${CMAKE_SOURCE_DIR}/Filters" "${CMAKE_SOURCE_DIR}/IO")
 vtk_module_scan(
   MODULE_FILES     ${module_files}
-  REQUEST_MODULES  Footpoint::Filters
+  REQUEST_MODULES  Footpoint::Filters Footpoint::IO
   PROVIDES_MODULES footpoint_modules
   REQUIRES_MODULES footpoint_required_modules
   ENABLE_TESTS     OFF) # Testing/ is a folder of its own

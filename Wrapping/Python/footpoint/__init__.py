@@ -22,6 +22,8 @@ In a VTK pipeline
     vtkPointInversionFilter, vtkSplineEvaluator, vtkCoonsPatchSource, vtkCoonsSurface,
     vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
         the classes behind those functions
+    vtkSplineReader
+        files of splines
 
 Example
 -------
@@ -41,6 +43,7 @@ the array, the index and the value.
 """
 
 from .vtkFootpointFilters import *
+from .vtkFootpointIO import *
 from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
 from .inversion import Feet, FootType, InversionResult, Status, invert
 from .evaluation import evaluate

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private: the text format .g2 of GoTools (SINTEF), and of programs that use it.
+//
+// A file is a row of objects. Each begins with a line of integers: the class, two of the version,
+// and the number of further ones in the line. A spline curve (class 100) or surface (200) goes on
+// with the dimension of space, whether it is rational, for each direction the number of control
+// points, the order (degree + 1) and the knots, and then the control points, u fastest; rational
+// ones as (w·x, w·y, w·z, w).
+
+#ifndef GoToolsFormat_h
+#define GoToolsFormat_h
+
+#include "SplineFile.h"
+
+#include <string_view>
+
+namespace footpoint::files
+{
+
+/// Objects of other classes are left out with a warning. \throw FileError
+SplineFile read_go_tools(std::string_view text);
+
+} // namespace footpoint::files
+
+#endif
