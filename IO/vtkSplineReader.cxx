@@ -40,13 +40,14 @@ std::string read_bytes(const std::string& path)
 
 SplineFile read_file(const std::string& path)
 {
+  const std::string bytes = read_bytes(path);
   const std::string extension =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
   if (extension != ".g2")
   {
     throw FileError("the extension '" + extension + "' is that of no format; .g2 is known");
   }
-  SplineFile file = read_go_tools(read_bytes(path));
+  SplineFile file = read_go_tools(bytes);
   if (file.splines.empty() && file.warnings.empty())
   {
     throw FileError("it has no spline");
