@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
@@ -41,9 +42,15 @@ vtkDataArray* attribute_or_array(vtkDataSetAttributes* data, int attribute, cons
   return array ? array : data->GetArray(name);
 }
 
+void add_cells(ContentHash& hash, vtkCellArray* cells)
+{
+  hash.add(cells ? cells->GetOffsetsArray() : nullptr);
+  hash.add(cells ? cells->GetConnectivityArray() : nullptr);
+}
+
 void add_leaf(ContentHash& hash, vtkDataObject* leaf)
 {
-  for (const char* name : { "KnotsU", "KnotsV", "Degree", "FaceName", "Orientation" })
+  for (const char* name : { "KnotsU", "KnotsV", "Degree", "FaceName", "Orientation", "Tolerance" })
   {
     hash.add(leaf->GetFieldData() ? leaf->GetFieldData()->GetAbstractArray(name) : nullptr);
   }
@@ -59,11 +66,15 @@ void add_leaf(ContentHash& hash, vtkDataObject* leaf)
   {
     hash.add_bytes(net->GetExtent(), 6 * sizeof(int));
   }
+  else if (auto* lines = vtkPolyData::SafeDownCast(leaf))
+  {
+    add_cells(hash, lines->GetLines());
+    hash.add(static_cast<std::uint64_t>(lines->GetNumberOfCells()));
+  }
   else if (auto* cells = vtkUnstructuredGrid::SafeDownCast(leaf))
   {
     hash.add(cells->GetCellTypesArray());
-    hash.add(cells->GetCells() ? cells->GetCells()->GetOffsetsArray() : nullptr);
-    hash.add(cells->GetCells() ? cells->GetCells()->GetConnectivityArray() : nullptr);
+    add_cells(hash, cells->GetCells());
     hash.add(attribute_or_array(
       cells->GetCellData(), vtkDataSetAttributes::HIGHERORDERDEGREES, "HigherOrderDegrees"));
     hash.add(cells->GetCellData()->GetAbstractArray("ParameterRange"));

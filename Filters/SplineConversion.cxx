@@ -3,15 +3,12 @@
 
 #include "footpoint/common/errors.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
-#include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
@@ -27,23 +24,6 @@ namespace
 [[noreturn]] void refuse(GeometryDefect defect, const std::string& message)
 {
   throw GeometryError(defect, message);
-}
-
-/// All values of a field data array, whether stored as tuples or as components; empty if missing.
-std::vector<double> read_field_array(vtkFieldData* data, const char* name)
-{
-  vtkDataArray* array = data ? data->GetArray(name) : nullptr;
-  std::vector<double> values;
-  if (array)
-  {
-    const int components = array->GetNumberOfComponents();
-    values.reserve(static_cast<std::size_t>(array->GetNumberOfValues()));
-    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-    {
-      values.push_back(array->GetComponent(i / components, static_cast<int>(i % components)));
-    }
-  }
-  return values;
 }
 
 /// The knot vector of one direction, its degree implied by the numbers of knots and points.
@@ -108,14 +88,6 @@ void check_extent(vtkStructuredGrid* net)
   }
 }
 
-std::string block_name(vtkInformation* meta_data)
-{
-  const char* name = meta_data && meta_data->Has(vtkCompositeDataSet::NAME())
-    ? meta_data->Get(vtkCompositeDataSet::NAME())
-    : nullptr;
-  return name ? name : "";
-}
-
 /// Walks over a composite data set and appends faces in order.
 class Collector
 {
@@ -157,46 +129,42 @@ public:
 private:
   void add_blocks(vtkMultiBlockDataSet* blocks, const std::string& name)
   {
-    std::vector<std::string> names;
-    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    if (is_trimmed_face(blocks))
     {
-      names.push_back(block_name(blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr));
-    }
-    const bool has_surface = std::find(names.begin(), names.end(), "Surface") != names.end();
-    const bool has_loops = std::any_of(names.begin(), names.end(),
-      [](const std::string& block) { return block.compare(0, 5, "Loop ") == 0; });
-    if (has_surface && has_loops)
-    {
-      this->refuse_face(name,
-        "it is a trimmed face (blocks Surface and Loop …), which this version does not read; give "
-        "the block Surface alone for the untrimmed surface");
+      this->add_trimmed(blocks, name);
       return;
     }
     for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
     {
-      this->add(blocks->GetBlock(i), names[i]);
+      this->add(blocks->GetBlock(i), block_name(blocks, i));
+    }
+  }
+
+  void add_trimmed(vtkMultiBlockDataSet* blocks, std::string name)
+  {
+    try
+    {
+      Face face = convert_trimmed_face(blocks, name);
+      face.name = name;
+      face.reversed = face.reversed != this->Flip;
+      this->Result.model.push_back(std::move(face));
+    }
+    catch (const GeometryError& error)
+    {
+      this->refuse_face(name, error.what());
     }
   }
 
   void add_pieces(vtkPartitionedDataSet* pieces, const std::string& name)
   {
-    vtkDataObject* only = nullptr;
-    int count = 0;
-    for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+    try
     {
-      if (vtkDataObject* piece = pieces->GetPartitionAsDataObject(i))
-      {
-        only = piece;
-        ++count;
-      }
+      this->add(single_piece(pieces), name);
     }
-    if (count > 1)
+    catch (const GeometryError& error)
     {
-      this->refuse_face(
-        name, "it is cut into " + std::to_string(count) + " pieces; a net must come in one piece");
-      return;
+      this->refuse_face(name, error.what());
     }
-    this->add(only, name);
   }
 
   void add_leaf(vtkDataObject* data, const std::string& block)
@@ -212,6 +180,7 @@ private:
         face.name = name;
         face.patches.push_back(convert_net(net));
         face.reversed = attributes.reversed != this->Flip;
+        face.tolerance = attributes.tolerance;
         this->Result.model.push_back(std::move(face));
       }
       else if (auto* cells = vtkUnstructuredGrid::SafeDownCast(data))
@@ -290,32 +259,6 @@ ConvertedModel convert_to_model(vtkDataObject* source, bool flip)
   ConvertedModel result;
   Collector(result, flip).add(source, "");
   return result;
-}
-
-FaceAttributes read_face_attributes(vtkFieldData* data)
-{
-  FaceAttributes attributes;
-  if (!data)
-  {
-    return attributes;
-  }
-  auto* name = vtkStringArray::SafeDownCast(data->GetAbstractArray("FaceName"));
-  if (name && name->GetNumberOfValues() > 0)
-  {
-    attributes.name = name->GetValue(0);
-  }
-  const std::vector<double> orientation = read_field_array(data, "Orientation");
-  if (!orientation.empty())
-  {
-    if (orientation[0] != 1.0 && orientation[0] != -1.0)
-    {
-      refuse(GeometryDefect::Format,
-        "Orientation[0] = " + vtkVariant(orientation[0]).ToString() +
-          "; 1 (along Su × Sv) or -1 (reversed) is allowed");
-    }
-    attributes.reversed = orientation[0] < 0.0;
-  }
-  return attributes;
 }
 
 Patch convert_net(vtkStructuredGrid* net)

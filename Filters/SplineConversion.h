@@ -13,6 +13,8 @@
 class vtkDataObject;
 class vtkDataSet;
 class vtkFieldData;
+class vtkInformation;
+class vtkMultiBlockDataSet;
 class vtkStructuredGrid;
 class vtkUnstructuredGrid;
 
@@ -37,7 +39,8 @@ struct ConvertedModel
   std::vector<std::string> messages() const;
 };
 
-/// Converts a net, Bézier cells or a composite data set of those; never throws for bad geometry.
+/// Converts a net, Bézier cells, a trimmed face or a composite data set of those; never throws for
+/// bad geometry.
 /// \param source     not null
 /// \param flip       reverse the normals of all faces
 ConvertedModel convert_to_model(vtkDataObject* source, bool flip);
@@ -47,14 +50,27 @@ struct FaceAttributes
 {
   std::string name;      ///< `FaceName`; may be empty
   bool reversed = false; ///< `Orientation` is −1
+  double tolerance = 0;  ///< `Tolerance` of its trim curves, model units
 };
 
-/// \throw GeometryError where `Orientation` is neither 1 nor −1
+/// \throw GeometryError where `Orientation` is neither 1 nor −1, or `Tolerance` is negative or not
+/// finite
 FaceAttributes read_face_attributes(vtkFieldData* data);
 
 /// A net of control points with its knots in the field data.
 /// \throw GeometryError
 Patch convert_net(vtkStructuredGrid* net);
+
+/// Whether the blocks are those of a trimmed face: `Surface` and at least one that is called
+/// `Loop …`.
+bool is_trimmed_face(vtkMultiBlockDataSet* blocks);
+
+/// A trimmed face: block `Surface`, a control net, and `Loop 0`, `Loop 1`, … in any order. A loop
+/// is a multi-block of curves in the plane (u, v), z = 0, head to tail, or one of them alone: nets
+/// of dimensions (n, 1, 1); where these have no `KnotsU`, and as vtkPolyData lines, polylines.
+/// \param name becomes that of the surface's field data where there is one
+/// \throw GeometryError naming the loop, the curve and the value
+Face convert_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name);
 
 /// Bézier cells, grouped by the cell array `FaceId`; without it every cell is a face. The faces are
 /// numbered from 0 by the values of `FaceId`, numbers that do not occur are faces without patches.
@@ -65,6 +81,17 @@ ConvertedModel convert_bezier_cells(vtkUnstructuredGrid* cells);
 /// Weights from the active RationalWeights attribute, else the point array of that name; empty
 /// where there is none. \throw GeometryError where they are no scalars.
 Eigen::VectorXd read_weights(vtkDataSet* data);
+
+/// All values of a field data array, whether stored as tuples or as components; empty if missing.
+std::vector<double> read_field_array(vtkFieldData* data, const char* name);
+
+/// The name of a block; empty where there is none.
+std::string block_name(vtkInformation* meta_data);
+std::string block_name(vtkMultiBlockDataSet* blocks, unsigned int number);
+
+/// The data themselves, or what is in them where they are a partitioned data set of one piece; null
+/// where there is none. \throw GeometryError where there are several pieces
+vtkDataObject* single_piece(vtkDataObject* data);
 
 } // namespace footpoint::conversion
 

@@ -8,9 +8,15 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSetAttributes
-from vtkmodules.vtkIOXML import vtkXMLStructuredGridReader, vtkXMLStructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLMultiBlockDataReader,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLStructuredGridReader,
+    vtkXMLStructuredGridWriter,
+)
 
 import footpoint
+from footpoint._pipeline import to_vtk
 from shapes import OCTAGON, OCTAGON_WEIGHTS, QUARTERS, circle, sphere, square
 
 equal = np.testing.assert_array_equal
@@ -153,12 +159,73 @@ class Composites(unittest.TestCase):
         equal(points_of(polyline), [[1, 1, 0], [0, 1, 0], [0, 0, 0]])
         self.assertFalse(polyline.GetFieldData().HasArray("KnotsU"))
 
+    def test_polygons_are_closed(self):
+        triangle = np.array([(0, 0), (1, 0), (0, 1.0)])
+        for loop in (triangle, [triangle], np.append(triangle, triangle[:1], axis=0)):
+            face = footpoint.trimmed_face(square(), [loop])
+            equal(points_of(face.GetBlock(1).GetBlock(0))[:, :2], triangle[[0, 1, 2, 0]])
+        face = footpoint.trimmed_face(square(), [[triangle, triangle[[2, 0]]]])
+        self.assertEqual(face.GetBlock(1).GetBlock(0).GetNumberOfPoints(), 3, "one of several")
+
+    def test_evaluation_is_of_the_surface(self):
+        face = footpoint.trimmed_face(square(2), [circle(0.25)])
+        parameters = [[0.9, 0.9], [0.0, 0.5]]
+        equal(footpoint.evaluate(face, parameters), footpoint.evaluate(square(2), parameters))
+
+    def test_trimmed_face_in_a_file(self):
+        """Names, nesting, knots, weights and the surface's field data, to the bit."""
+        net = square()
+        for name, value in (("Tolerance", 1 / 3), ("Orientation", -1.0)):
+            net.GetFieldData().AddArray(to_vtk(np.array([value]), name, copy=True))
+        face = footpoint.trimmed_face(
+            net, [np.random.default_rng(8).random((5, 2)), [circle(0.3)]])
+        model = footpoint.model([None, face, circle(1)])
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(Path(folder) / "model.vtm")
+            writer = vtkXMLMultiBlockDataWriter()
+            writer.SetFileName(path)
+            writer.SetInputData(model)
+            self.assertEqual(writer.Write(), 1)
+            reader = vtkXMLMultiBlockDataReader()
+            reader.SetFileName(path)
+            reader.Update()
+        self.compare(reader.GetOutput(), model)
+
+    def compare(self, data, expected):
+        if expected is None:
+            self.assertIsNone(data)
+        elif expected.IsA("vtkMultiBlockDataSet"):
+            self.assertEqual(data.GetNumberOfBlocks(), expected.GetNumberOfBlocks())
+            for i in range(expected.GetNumberOfBlocks()):
+                if expected.HasMetaData(i):
+                    self.assertEqual(names(data)[i], names(expected)[i])
+                self.compare(data.GetBlock(i), expected.GetBlock(i))
+        else:
+            self.assertEqual(data.GetDimensions(), expected.GetDimensions())
+            equal(points_of(data), points_of(expected))
+            for of in ("GetFieldData", "GetPointData"):
+                arrays, others = getattr(data, of)(), getattr(expected, of)()
+                self.assertEqual(arrays.GetNumberOfArrays(), others.GetNumberOfArrays())
+                for i in range(others.GetNumberOfArrays()):
+                    array = others.GetArray(i)
+                    found = arrays.GetArray(array.GetName())
+                    self.assertEqual(found.GetDataType(), array.GetDataType())
+                    equal(vtk_to_numpy(found), vtk_to_numpy(array))
+
     def test_wrong_trimmed_faces(self):
         for loops, text in (
             ([], "loops is empty"),
             ([[]], "loop 0 has no pieces"),
             ([np.zeros((3, 3))], r"piece 0 of loop 0 has shape \(3, 3\)"),
             ([[np.zeros((3, 2)), np.zeros((1, 2))]], r"piece 1 of loop 0 has shape \(1, 2\)"),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                footpoint.trimmed_face(square(), loops)
+        bent = footpoint.nurbs_curve([[0, 0, 0], [1, 0, 0.5]], [0, 0, 1, 1])
+        for loops, text in (
+            ([[np.zeros((3, 2))]], "Face 0: Loop 0, curve 0: the polyline has 1 distinct points"),
+            ([circle(), [circle(), bent]], "Loop 1, curve 1: control point 1 has z = 0.5"),
+            ([[np.array([[0, 0], [1, np.nan], [1, 1]])]], "Loop 0, curve 0: control point 1"),
         ):
             with self.assertRaisesRegex(ValueError, text):
                 footpoint.trimmed_face(square(), loops)

@@ -83,9 +83,6 @@ def nurbs_curve(control_points, knots, weights=None):
 def trimmed_face(net, loops):
     """A surface with trim loops in its parameter domain.
 
-    This version's filters refuse trimmed faces with a message (ValueError in `invert`); the data is
-    what later ones read.
-
     Parameters
     ----------
     net : vtkStructuredGrid
@@ -93,21 +90,26 @@ def trimmed_face(net, loops):
     loops : list
         Each loop is a list of pieces, head to tail: curves in the (u, v) plane (`nurbs_curve` of
         (n, 2) control points) or polylines, (k, 2) arrays with a row (u, v) for every corner.
-        A piece alone stands for a list of one. Counter-clockwise loops keep their inside,
-        clockwise ones are holes.
+        A piece alone stands for a list of one. A (k, 2) array that is a whole loop is a polygon:
+        its first corner is appended where the last one differs. Counter-clockwise loops keep their
+        inside, clockwise ones are holes.
 
     Returns
     -------
     vtkMultiBlockDataSet
-        Blocks `Surface`, `Loop 0`, `Loop 1`, ...; every loop is a vtkMultiBlockDataSet of its
-        pieces; a polyline is a vtkStructuredGrid of dimensions (k, 1, 1) without `KnotsU`.
+        Blocks `Surface` (the net itself, no copy), `Loop 0`, `Loop 1`, ...; every loop is a
+        vtkMultiBlockDataSet of its pieces; a polyline is a vtkStructuredGrid of dimensions
+        (k, 1, 1) without `KnotsU`. Field data of the net belongs to the face: `Orientation` -1
+        reverses its normal, `Tolerance` is up to which gap (in model units) loops are closed.
 
     Raises
     ------
     TypeError
         `net` or a piece is of another type.
     ValueError
-        There is no loop, a loop has no piece, or a polyline has another shape.
+        There is no loop, a loop has no piece, or a polyline has another shape; or what the filters
+        refuse (a curve out of the plane, a polyline of one point, bad knots), with their text,
+        which names the loop, the curve and the value.
     """
     if not isinstance(net, vtkStructuredGrid):
         raise TypeError(f"net is a {type(net).__name__}; a vtkStructuredGrid is needed")
@@ -122,8 +124,10 @@ def trimmed_face(net, loops):
             raise ValueError(f"loop {i} has no pieces")
         loop = vtkMultiBlockDataSet()
         for j, piece in enumerate(pieces):
-            _append_block(loop, f"Curve {j}", _loop_piece(piece, f"piece {j} of loop {i}"))
+            data = _loop_piece(piece, f"piece {j} of loop {i}", closed=len(pieces) == 1)
+            _append_block(loop, f"Curve {j}", data)
         _append_block(face, f"Loop {i}", loop)
+    _check(face)
     return face
 
 
@@ -183,11 +187,11 @@ def _net(points, knots, names, weights):
     return net
 
 
-def _check(net):
-    """Lets the evaluator convert the net, and so refuse a bad one, without a point to evaluate."""
+def _check(geometry):
+    """Lets the evaluator convert geometry, and so refuse it, without a point to evaluate."""
     evaluator = vtkSplineEvaluator()
     evaluator.SetInputData(vtkTable())
-    set_geometry(evaluator, net)
+    set_geometry(evaluator, geometry)
     run(evaluator)
 
 
@@ -196,12 +200,15 @@ def _in_space(points):
     return points if points.shape[1] == 3 else np.pad(points, ((0, 0), (0, 1)))
 
 
-def _loop_piece(piece, name):
+def _loop_piece(piece, name, closed):
+    """A curve as it is, a (k, 2) array as a polyline, closed if wanted."""
     if isinstance(piece, vtkStructuredGrid):
         return piece
     corners = as_numbers(piece, name)
     if corners.ndim != 2 or corners.shape[1] != 2 or len(corners) < 2:
         raise ValueError(f"{name} has shape {corners.shape}; (k, 2) with k >= 2 is needed")
+    if closed and not np.array_equal(corners[0], corners[-1]):
+        corners = np.concatenate([corners, corners[:1]])
     polyline = vtkStructuredGrid()
     polyline.SetDimensions(len(corners), 1, 1)
     points = vtkPoints()
