@@ -6,29 +6,6 @@
 namespace footpoint::conversion
 {
 
-namespace
-{
-
-/// Feet on the untrimmed surface would be wrong without a sign of it.
-void refuse_trimmed_faces(ConvertedModel& converted)
-{
-  for (std::size_t i = 0; i < converted.model.size(); ++i)
-  {
-    Face& face = converted.model[i];
-    if (!face.loops.empty())
-    {
-      face.patches.clear();
-      face.loops.clear();
-      converted.problems.push_back({ i,
-        "it is a trimmed face (blocks Surface and Loop …), which this version does not search; "
-        "give "
-        "the block Surface alone for the untrimmed surface" });
-    }
-  }
-}
-
-} // namespace
-
 void CachedInverter::update(const SourceGeometry& geometry, const InversionOptions& options)
 {
   const ContentHash content = geometry.hash();
@@ -41,7 +18,6 @@ void CachedInverter::update(const SourceGeometry& geometry, const InversionOptio
   }
   this->Inverter.reset();
   ConvertedModel converted = geometry.convert();
-  refuse_trimmed_faces(converted);
   this->Problems = converted.messages();
   if (converted.empty())
   {

@@ -262,6 +262,7 @@ Face convert_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name)
     }
     face.loops.push_back(convert_loop(loops[i].second, kLoop + std::to_string(i)));
   }
+  trim(face);
   return face;
 }
 

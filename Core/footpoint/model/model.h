@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/errors.h"
 #include "footpoint/splines/curve.h"
 #include "footpoint/splines/surface.h"
 #include "footpoint/trims/trim_region.h"
@@ -26,13 +27,27 @@ struct Face
   std::string name;           ///< for messages; may be empty
   std::vector<Patch> patches; ///< empty: a null block that uses up its number
   bool reversed = false;      ///< the normal is −S_u × S_v
-  /// The part of the face that its trim loops keep; such a face is one patch, a Surface. Null: all
-  /// of it.
+  /// What trims the face, which then is one patch, a Surface; empty: nothing.
+  std::vector<TrimLoop> loops;
+  /// What the loops keep, see trim(); null where nothing trims the face.
   std::shared_ptr<const TrimRegion> region;
   /// How far the face may be from its neighbours: borders that are no farther apart are one (model
   /// units; at least kSewing of the model's size).
   double tolerance = 0.0;
 };
+
+/// Makes the region of a face with loops. \throw GeometryError where they do not make one
+inline void trim(Face& face)
+{
+  const auto surface = face.patches.size() == 1
+    ? std::dynamic_pointer_cast<const Surface>(face.patches.front().surface)
+    : nullptr;
+  if (!surface)
+  {
+    throw GeometryError(GeometryDefect::Format, "only a face that is one NURBS surface has loops");
+  }
+  face.region = std::make_shared<const TrimRegion>(face.loops, *surface, face.tolerance);
+}
 
 /// Faces in the order of their FaceId.
 using Model = std::vector<Face>;

@@ -75,7 +75,11 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   Box box;
   for (std::size_t k = 0; k < this->Faces.size(); ++k)
   {
-    const Face& face = this->Faces[k];
+    Face& face = this->Faces[k];
+    if (!face.loops.empty() && !face.region)
+    {
+      trim(face);
+    }
     const std::vector<SharedBorders> shared = find_shared_borders(face);
     for (std::size_t i = 0; i < face.patches.size(); ++i)
     {
@@ -119,7 +123,8 @@ std::vector<EdgePieces> PreparedModel::add_edges(const SeedOptions& seeding)
       continue;
     }
     const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches.front().surface);
-    for (const std::shared_ptr<const EdgeCurve>& edge : edge_curves(surface, *face.region))
+    for (const std::shared_ptr<const EdgeCurve>& edge : 
+           edge_curves(surface, *face.region, EdgeArcs::InsideDomain))
     {
       result.push_back(edge_pieces(*edge, kEdgeTolerance * this->Size));
       Box box;

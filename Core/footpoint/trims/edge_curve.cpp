@@ -2,6 +2,7 @@
 #include "footpoint/trims/edge_curve.h"
 
 #include "footpoint/splines/validation.h"
+#include "footpoint/trims/trim_plane.h"
 
 #include <algorithm>
 #include <utility>
@@ -121,6 +122,63 @@ bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs)
     }
   }
   return true;
+}
+
+/// At how many places of an arc along a seam the other side is looked at, and how far from it.
+constexpr int kSeamPlaces = 8;
+constexpr double kBesideSeam = 1e-9;
+
+/// The direction and the end of it along whose border of the domain an arc runs; −1: along none.
+struct DomainBorder
+{
+  int direction;
+  int end;
+};
+
+DomainBorder border_of(const Surface& surface, const TrimArc& arc)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    const double length = surface.direction(i).length;
+    for (int end = 0; end < 2; ++end)
+    {
+      const double border = end == 0 ? 0.0 : length;
+      const auto off = arc.control.row(i).array() - border * arc.control.row(2).array();
+      if ((off.abs() <= kBorderRounding * length * arc.control.row(2).array()).all())
+      {
+        return { i, end };
+      }
+    }
+  }
+  return { -1, 0 };
+}
+
+/// Whether the region goes on beyond an arc along one end of a closed direction, at the other end.
+bool goes_on(const Surface& surface, const TrimRegion& region, const TrimArc& arc, DomainBorder at)
+{
+  const double length = surface.direction(at.direction).length;
+  for (int k = 0; k < kSeamPlaces; ++k)
+  {
+    Parameter<2> place = arc_jet(arc, (k + 0.5) / kSeamPlaces, 0).col(0);
+    place(at.direction) = at.end == 0 ? (1.0 - kBesideSeam) * length : kBesideSeam * length;
+    if (!region.contains(place(0), place(1)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_wanted(
+  const Surface& surface, const TrimRegion& region, const TrimArc& arc, EdgeArcs which)
+{
+  const DomainBorder border = border_of(surface, arc);
+  if (border.direction < 0)
+  {
+    return true;
+  }
+  return surface.direction(border.direction).closed ? !goes_on(surface, region, arc, border)
+                                                    : which == EdgeArcs::NoSeams;
 }
 
 } // namespace
@@ -243,7 +301,7 @@ Parameter<2> EdgeCurve::surface_parameter(double t, Side side) const
 }
 
 std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
-  const std::shared_ptr<const Surface>& surface, const TrimRegion& region)
+  const std::shared_ptr<const Surface>& surface, const TrimRegion& region, EdgeArcs which)
 {
   std::vector<std::shared_ptr<const EdgeCurve>> edges;
   std::vector<TrimArc> run;
@@ -259,11 +317,12 @@ std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
   {
     const bool continues = !run.empty() && arc.loop == run.back().loop &&
       arc.curve == run.back().curve && arc.closes_gap == run.back().closes_gap;
-    if (!arc.inside_domain || !continues)
+    const bool wanted = arc.inside_domain && is_wanted(*surface, region, arc, which);
+    if (!wanted || !continues)
     {
       finish();
     }
-    if (arc.inside_domain && has_length(*surface, arc))
+    if (wanted && has_length(*surface, arc))
     {
       run.push_back(arc);
     }

@@ -58,10 +58,19 @@ struct EdgePieces
 ///                  units); `error` may exceed it where rounding or work do not allow more
 EdgePieces edge_pieces(const EdgeCurve& edge, double tolerance);
 
+/// Which arcs of a region's boundary become edges.
+enum class EdgeArcs
+{
+  /// All but those along a seam over which the region goes on.
+  NoSeams,
+  /// And none along a border of the domain that is open: there the surface itself ends.
+  InsideDomain
+};
+
 /// The edges of a face: one for each run of arcs of one loop curve (or closed gap) in the domain.
 /// Left out are arcs of no length in the parameters and edges that are one point in space (to
 /// kClosureTolerance of the surface's size), as those along a pole.
 std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
-  const std::shared_ptr<const Surface>& surface, const TrimRegion& region);
+  const std::shared_ptr<const Surface>& surface, const TrimRegion& region, EdgeArcs which);
 
 } // namespace footpoint
