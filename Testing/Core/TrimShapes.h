@@ -25,7 +25,8 @@ using CurvePointer = std::shared_ptr<const Curve>;
 using Point2 = Eigen::Vector2d;
 
 /// A plane face whose points are its parameters: x = u, y = v.
-inline Surface flat(double u0 = 0.0, double u1 = 1.0, double v0 = 0.0, double v1 = 1.0, int spans = 1)
+inline Surface flat(
+  double u0 = 0.0, double u1 = 1.0, double v0 = 0.0, double v1 = 1.0, int spans = 1)
 {
   const std::vector<double> knots_u = shapes::clamped_knots(1, spans, u0, u1);
   const std::vector<double> knots_v = shapes::clamped_knots(1, spans, v0, v1);

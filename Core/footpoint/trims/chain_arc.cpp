@@ -13,8 +13,8 @@ namespace footpoint
 namespace
 {
 
-/// Turning points nearer than this (as fractions of an arc) are one, and none where they are so near
-/// an end: the coordinate turns by a multiple of the square of it, far below its rounding.
+/// Turning points nearer than this (as fractions of an arc) are one, and none where they are so
+/// near an end: the coordinate turns by a multiple of the square of it, far below its rounding.
 constexpr double kSameTurn = 1e-9;
 
 /// Halvings after which several turning points in one interval are taken for one.
@@ -38,8 +38,8 @@ double evaluate(const Eigen::VectorXd& coefficients, double t)
   return sum;
 }
 
-/// The zero of a function with different signs at 0 and 1, by the secant method (Illinois variant, M.
-/// Dowell and P. Jarratt 1971) in a bracket that at least halves every few steps.
+/// The zero of a function with different signs at 0 and 1, by the secant method (Illinois variant,
+/// M. Dowell and P. Jarratt 1971) in a bracket that at least halves every few steps.
 template <class Function>
 double bracketed_zero(const Function& function, double at_zero, double at_one)
 {
@@ -102,8 +102,8 @@ int sign_changes(const Eigen::VectorXd& coefficients, double tolerance)
 /// Adds the sign changes in an interval of a polynomial given by its Bernstein coefficients there
 /// (variation diminishing property: none, or exactly one, where the coefficients change their sign
 /// so often; J. M. Lane and R. F. Riesenfeld 1981).
-void add_turns(Eigen::VectorXd coefficients, double low, double high, double tolerance, int halvings,
-  std::vector<double>& turns)
+void add_turns(Eigen::VectorXd coefficients, double low, double high, double tolerance,
+  int halvings, std::vector<double>& turns)
 {
   // Where the interval is short the derivative may be larger without turning the coordinate.
   const double negligible = tolerance / (high - low);
@@ -266,8 +266,8 @@ std::vector<ChainArc> cut(const ChainArc& arc, const std::vector<double>& fracti
 double fraction_at(const ChainArc& arc, int i, double at)
 {
   const double wanted = at - arc.end[0][i];
-  const double t = bracketed_zero([&](double s) { return from_start(arc, i, s) - wanted; }, -wanted,
-    arc.end[1][i] - at);
+  const double t = bracketed_zero(
+    [&](double s) { return from_start(arc, i, s) - wanted; }, -wanted, arc.end[1][i] - at);
   const double least = std::numeric_limits<double>::epsilon();
   return std::clamp(t, least, 1.0 - least);
 }

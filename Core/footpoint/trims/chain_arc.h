@@ -12,7 +12,8 @@
 namespace footpoint
 {
 
-/// An arc of a loop on its way to becoming TrimArcs. Its coordinates are not shifted by periods yet.
+/// An arc of a loop on its way to becoming TrimArcs. Its coordinates are not shifted by periods
+/// yet.
 struct ChainArc
 {
   TrimArc arc;
@@ -39,8 +40,8 @@ bool is_constant(const ChainArc& arc, int i, double rounding);
 /// Cuts an arc at ascending fractions in (0, 1) of its range.
 std::vector<ChainArc> cut(const ChainArc& arc, const std::vector<double>& fractions);
 
-/// The fraction in (0, 1) of the range at which a monotone coordinate i has a value between those of
-/// its ends.
+/// The fraction in (0, 1) of the range at which a monotone coordinate i has a value between those
+/// of its ends.
 double fraction_at(const ChainArc& arc, int i, double at);
 
 /// Cuts an arc where du/dt or dv/dt changes its sign. Coordinates that turn by no more than the

@@ -21,8 +21,8 @@ using Point2 = Eigen::Vector2d;
 /// used, and files keep zeros.
 constexpr double kPlanar = 1e-9;
 
-/// Points of a straight arc across a gap at which its length in space is looked at, as a gap may end
-/// where it began in space without running along one point.
+/// Points of a straight arc across a gap at which its length in space is looked at, as a gap may
+/// end where it began in space without running along one point.
 constexpr int kGapSamples = 4;
 
 std::string curve_name(int loop, int curve)
@@ -46,15 +46,15 @@ void check_planar(const Curve& curve, const TrimPlane& plane, const std::string&
     if (std::abs(z) > limit)
     {
       throw GeometryError(GeometryDefect::Format,
-        "control point " + std::to_string(i) + " of " + name + " has z = " +
-          footpoint::to_text(z) + "; trim curves lie in the plane of (u, v), where z is 0");
+        "control point " + std::to_string(i) + " of " + name + " has z = " + footpoint::to_text(z) +
+          "; trim curves lie in the plane of (u, v), where z is 0");
     }
   }
 }
 
 /// The Bézier arcs of a curve in the local parameters of the surface.
-void append_arcs(const Curve& curve, int loop, int number, const TrimPlane& plane,
-  std::vector<ChainArc>& arcs)
+void append_arcs(
+  const Curve& curve, int loop, int number, const TrimPlane& plane, std::vector<ChainArc>& arcs)
 {
   const std::vector<BezierPiece<1>> pieces = extract_bezier(curve);
   for (std::size_t k = 0; k < pieces.size(); ++k)
@@ -157,8 +157,7 @@ public:
     Point2 start = this->Chain.arcs.front().end[0];
     for (int i = 0; i < 2; ++i)
     {
-      this->Chain.turns[i] =
-        periods(this->Plane, i, this->Chain.arcs.back().end[1][i] - start[i]);
+      this->Chain.turns[i] = periods(this->Plane, i, this->Chain.arcs.back().end[1][i] - start[i]);
       start[i] += this->Chain.turns[i] * this->Plane.length(i);
     }
     this->close_gap(start);
@@ -205,9 +204,9 @@ private:
   LoopChain Chain{ {}, { { 0, 0 } }, 0.0 };
 };
 
-/// Gives the ends that meet the same coordinate i, on the border or knot line where they lie on one.
-/// Arcs along which the coordinate is constant keep it so: what is moved at one end moves at the
-/// other.
+/// Gives the ends that meet the same coordinate i, on the border or knot line where they lie on
+/// one. Arcs along which the coordinate is constant keep it so: what is moved at one end moves at
+/// the other.
 void weld(LoopChain& chain, int i, const TrimPlane& plane)
 {
   std::vector<ChainArc>& arcs = chain.arcs;
@@ -305,6 +304,10 @@ LoopChain make_chain(const TrimLoop& loop, int number, const Surface& surface,
   for (std::size_t k = 0; k < loop.curves.size(); ++k)
   {
     const int curve = static_cast<int>(k);
+    if (!loop.curves[k])
+    {
+      throw GeometryError(GeometryDefect::Format, curve_name(number, curve) + " is missing");
+    }
     check_planar(*loop.curves[k], plane, curve_name(number, curve));
     arcs.clear();
     append_arcs(*loop.curves[k], number, curve, plane, arcs);

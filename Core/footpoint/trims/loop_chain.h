@@ -24,7 +24,8 @@ struct LoopChain
 
 /// \param number    of the loop, for messages
 /// \param tolerance largest gap that is closed, in model units
-/// \throw GeometryError (Format) naming loop, curve and value: a gap is larger, a curve is not planar
+/// \throw GeometryError (Format) naming loop, curve and value: a gap is larger, a curve is not
+/// planar
 LoopChain make_chain(const TrimLoop& loop, int number, const Surface& surface,
   const TrimPlane& plane, double tolerance);
 

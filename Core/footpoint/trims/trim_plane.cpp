@@ -52,9 +52,8 @@ double TrimPlane::snapped(int i, double at) const
   }
   // The end of a period is the start of the next one: the same number for both.
   return std::abs(nearest - inside) > axis.rounding ? at
-    : axis.closed && nearest == axis.length
-    ? (std::floor(at / axis.length) + 1.0) * axis.length
-    : period + nearest;
+    : axis.closed && nearest == axis.length ? (std::floor(at / axis.length) + 1.0) * axis.length
+                                            : period + nearest;
 }
 
 std::vector<double> TrimPlane::lines_between(int i, double low, double high) const

@@ -15,6 +15,13 @@ namespace footpoint
 namespace
 {
 
+/// How far beside the middle of an arc a region that no whole cell lies in is looked for, in
+/// roundings of the plane: a thinner one has no inside that could be told from its boundary.
+constexpr double kBesideArc = 4.0;
+
+/// Rays run along u only where that makes them meet clearly fewer arcs.
+constexpr double kLongerAlong = 2.0;
+
 /// Which way rays run: a is the coordinate they are parted by, b the one they run along.
 struct RayPlane
 {
@@ -73,7 +80,7 @@ double area_below(const LoopChain& chain, int a, int b, double b0)
   return sum;
 }
 
-RayPlane choose_rays(const std::vector<LoopChain>& chains)
+RayPlane choose_rays(const std::vector<LoopChain>& chains, const TrimPlane& plane)
 {
   std::array<int, 2> winds{ { -1, -1 } };
   for (std::size_t k = 0; k < chains.size(); ++k)
@@ -92,7 +99,26 @@ RayPlane choose_rays(const std::vector<LoopChain>& chains)
       "trim loop " + std::to_string(winds[0]) + " runs around the surface in u and trim loop " +
         std::to_string(winds[1]) + " in v; loops that run around both ways bound no region");
   }
-  return winds[1] >= 0 ? RayPlane{ 1, 0, -1 } : RayPlane{ 0, 1, 1 };
+  const RayPlane along_v{ 0, 1, 1 };
+  const RayPlane along_u{ 1, 0, -1 };
+  if (winds[0] >= 0 || winds[1] >= 0)
+  {
+    return winds[1] >= 0 ? along_u : along_v;
+  }
+  // Rays along v meet as many arcs as the arcs are long in u: think of a comb with teeth along u.
+  std::array<double, 2> extent{ { 0.0, 0.0 } };
+  for (const LoopChain& chain : chains)
+  {
+    for (const ChainArc& arc : chain.arcs)
+    {
+      for (int i = 0; i < 2; ++i)
+      {
+        extent[i] += std::abs(arc.end[1][i] - arc.end[0][i]) / plane.length(i);
+      }
+    }
+  }
+  const bool free = !plane.closed(0) && !plane.closed(1);
+  return free && extent[0] > kLongerAlong * extent[1] ? along_u : along_v;
 }
 
 /// Copies of a loop along b, as numbers of periods, that reach into the domain.
@@ -122,8 +148,7 @@ std::vector<int> copies(const LoopChain& chain, int b, const TrimPlane& plane)
 }
 
 /// The winding number that has to be added so that the left side of the outermost loop is 1.
-int base_winding(
-  const std::vector<LoopChain>& chains, const RayPlane& rays, const TrimPlane& plane)
+int base_winding(const std::vector<LoopChain>& chains, const RayPlane& rays, const TrimPlane& plane)
 {
   struct Height
   {
@@ -145,8 +170,9 @@ int base_winding(
     {
       for (const int copy : copies(chain, rays.b, plane))
       {
-        heights.push_back({ b0 + area / (turns * plane.length(rays.a)) + copy * plane.length(rays.b),
-          turns * rays.orientation });
+        heights.push_back(
+          { b0 + area / (turns * plane.length(rays.a)) + copy * plane.length(rays.b),
+            turns * rays.orientation });
       }
     }
     else if (std::abs(area) > std::abs(largest))
@@ -158,8 +184,8 @@ int base_winding(
   {
     return largest < 0.0 ? 1 : 0;
   }
-  std::sort(heights.begin(), heights.end(),
-    [](const Height& a, const Height& b) { return a.at < b.at; });
+  std::sort(
+    heights.begin(), heights.end(), [](const Height& a, const Height& b) { return a.at < b.at; });
   return heights.front().turns > 0 ? 0 : 1;
 }
 
@@ -231,8 +257,7 @@ IndexedArc indexed(const ChainArc& arc, const RayPlane& rays, double by)
 
 } // namespace
 
-TrimRegion::TrimRegion(
-  const std::vector<TrimLoop>& loops, const Surface& surface, double tolerance)
+TrimRegion::TrimRegion(const std::vector<TrimLoop>& loops, const Surface& surface, double tolerance)
 {
   if (loops.empty())
   {
@@ -246,7 +271,7 @@ TrimRegion::TrimRegion(
     chains.push_back(make_chain(loops[k], static_cast<int>(k), surface, plane, largest_gap));
     this->LargestGap = std::max(this->LargestGap, chains.back().largest_gap);
   }
-  const RayPlane rays = choose_rays(chains);
+  const RayPlane rays = choose_rays(chains, plane);
   const int base = base_winding(chains, rays, plane);
 
   std::vector<IndexedArc> arcs;
@@ -267,8 +292,8 @@ TrimRegion::TrimRegion(
       arc.arc.inside_domain = true;
       for (int i = 0; i < 2; ++i)
       {
-        arc.arc.inside_domain = arc.arc.inside_domain && plane.inside(i, arc.end[0][i]) &&
-          plane.inside(i, arc.end[1][i]);
+        arc.arc.inside_domain =
+          arc.arc.inside_domain && plane.inside(i, arc.end[0][i]) && plane.inside(i, arc.end[1][i]);
       }
       this->Arcs.push_back(std::move(arc.arc));
     }
@@ -276,20 +301,61 @@ TrimRegion::TrimRegion(
   this->Swapped = rays.a == 1;
   this->Index = WindingIndex(arcs, { { plane.length(rays.a), plane.length(rays.b) } },
     { { plane.rounding(rays.a), plane.rounding(rays.b) } }, base);
+  this->Cells = KeptCells(this->Index);
+  if (!this->keeps_something())
+  {
+    throw GeometryError(
+      GeometryDefect::Format, "the " + std::to_string(loops.size()) + " trim loops keep nothing");
+  }
 }
 
 TrimRegion::Cover TrimRegion::cover(
   const std::array<double, 2>& lower, const std::array<double, 2>& upper) const
 {
-  const std::array<double, 2> low{ { lower[this->Swapped], lower[1 - this->Swapped] } };
-  const std::array<double, 2> high{ { upper[this->Swapped], upper[1 - this->Swapped] } };
-  if (this->Index.crossed(low, high))
+  const int first = this->Swapped ? 1 : 0;
+  const std::array<double, 2> low{ { this->clamped(0, lower[first]),
+    this->clamped(1, lower[1 - first]) } };
+  const std::array<double, 2> high{ { this->clamped(0, upper[first]),
+    this->clamped(1, upper[1 - first]) } };
+  KeptCells::Answer answer = this->Cells.cover(low, high);
+  if (!answer.known && !this->Index.crossed(low, high))
   {
-    return Cover::Crossed;
+    const int winding =
+      this->Index.winding(0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1]);
+    answer.state = winding > 0 ? KeptCells::State::Inside : KeptCells::State::Outside;
   }
-  const double a = 0.5 * low[0] + 0.5 * high[0];
-  const double b = 0.5 * low[1] + 0.5 * high[1];
-  return this->Index.winding(a, b) > 0 ? Cover::Inside : Cover::Outside;
+  switch (answer.state)
+  {
+    case KeptCells::State::Inside:
+      return Cover::Inside;
+    case KeptCells::State::Outside:
+      return Cover::Outside;
+    default:
+      return Cover::Crossed;
+  }
+}
+
+/// Either a whole cell is kept, or what is kept is so thin that it shows beside the arcs only.
+bool TrimRegion::keeps_something() const
+{
+  if (this->Cells.any_inside())
+  {
+    return true;
+  }
+  const double beside = kBesideArc * this->Index.margin()[1];
+  for (std::size_t k = 0; k < this->Index.size(); ++k)
+  {
+    const Eigen::Vector2d middle = this->Index.point(k, 0.5);
+    for (const double b : { middle[1] - beside, middle[1] + beside })
+    {
+      if (middle[0] >= 0.0 && middle[0] <= this->Index.length()[0] && b >= 0.0 &&
+        b <= this->Index.length()[1] && this->Index.winding(middle[0], b) > 0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 } // namespace footpoint

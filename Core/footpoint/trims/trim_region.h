@@ -2,6 +2,7 @@
 #pragma once
 
 #include "footpoint/splines/surface.h"
+#include "footpoint/trims/kept_cells.h"
 #include "footpoint/trims/trim_arc.h"
 #include "footpoint/trims/trim_loop.h"
 #include "footpoint/trims/winding_index.h"
@@ -33,16 +34,22 @@ public:
 
   /// \param loops     at least one, each with at least one curve
   /// \param surface   on which they lie
-  /// \param tolerance in model units: gaps in a loop up to this, and at least up to kLargestGap of the
+  /// \param tolerance in model units: gaps in a loop up to this, and at least up to kLargestGap of
+  /// the
   ///                  surface's size, are closed
-  /// \throw GeometryError (Format) naming loop, curve and value where a gap is larger, a curve is not
+  /// \throw GeometryError (Format) naming loop, curve and value where a gap is larger, a curve is
+  /// not
   ///        planar, or the loops keep nothing
   TrimRegion(const std::vector<TrimLoop>& loops, const Surface& surface, double tolerance);
 
   /// Whether a point is kept. \param u, v local parameters inside the domain
   bool contains(double u, double v) const
   {
-    return (this->Swapped ? this->Index.winding(v, u) : this->Index.winding(u, v)) > 0;
+    const double a = this->clamped(0, this->Swapped ? v : u);
+    const double b = this->clamped(1, this->Swapped ? u : v);
+    const KeptCells::State state = this->Cells.at(a, b);
+    return state == KeptCells::State::Crossed ? this->Index.winding(a, b) > 0
+                                              : state == KeptCells::State::Inside;
   }
 
   /// How much of a box of local parameters is kept.
@@ -55,9 +62,18 @@ public:
   double largest_gap() const { return this->LargestGap; }
 
 private:
+  /// Into the index's domain, NaN to its start.
+  double clamped(int i, double at) const
+  {
+    const double length = this->Index.length()[i];
+    return at > 0.0 ? (at < length ? at : length) : 0.0;
+  }
+  bool keeps_something() const;
+
   std::vector<TrimArc> Arcs;
   bool Swapped = false; ///< the index takes (v, u): its rays run along u
   WindingIndex Index;
+  KeptCells Cells;
   double LargestGap = 0.0;
 };
 
