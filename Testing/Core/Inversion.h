@@ -38,7 +38,10 @@ inline Patch patch_of(const footpoint::Surface& surface)
 template <class Geometry>
 Face face_of(const Geometry& geometry, bool reversed = false)
 {
-  return { "", { patch_of(geometry) }, reversed };
+  Face face;
+  face.patches.push_back(patch_of(geometry));
+  face.reversed = reversed;
+  return face;
 }
 
 /// A model of one face a geometry.
