@@ -59,6 +59,23 @@ void PointInverter::Implementation::settle_shared_border(Foot& foot, const Vecto
   foot.type = orthogonal ? FootType::Interior : FootType::Kink;
 }
 
+/// The sign of the distance from an edge or a vertex, where the faces that meet there decide.
+void PointInverter::Implementation::settle_sign(Foot& foot, const Vector3& point) const
+{
+  const FaceNeighbours* neighbours = this->Prepared->neighbours();
+  if (!neighbours || foot.on_curve || foot.face < 0 ||
+    (foot.type != FootType::Edge && foot.type != FootType::Vertex))
+  {
+    return;
+  }
+  const Vector3 normal = neighbours->pseudonormal(foot.point, foot.face);
+  if (!normal.isZero(0.0))
+  {
+    foot.signed_distance =
+      (point - foot.point).dot(normal) < 0.0 ? -foot.distance : foot.distance;
+  }
+}
+
 Foot PointInverter::Implementation::finish(
   const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const
 {
@@ -82,6 +99,7 @@ Foot PointInverter::Implementation::finish(
   {
     const bool below = -found.offset.dot(foot.direction) < 0.0;
     foot.signed_distance = below ? -foot.distance : foot.distance;
+    this->settle_sign(foot, point);
   }
   return foot;
 }

@@ -65,6 +65,7 @@ struct PointInverter::Implementation
 
   Foot finish(
     const Vector3& point, const Candidate& candidate, const std::vector<Candidate>& others) const;
+  void settle_sign(Foot& foot, const Vector3& point) const;
   Vector3 direction(const Candidate& candidate) const;
   void settle_shared_border(Foot& foot, const Vector3& point, const Candidate& candidate,
     const std::vector<Candidate>& others) const;

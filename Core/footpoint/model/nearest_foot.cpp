@@ -178,6 +178,7 @@ Foot PointInverter::Implementation::nearest_certified(
   if (answer.count == 1 && answer.certified && certified.complete() &&
     certified.plain_foot(answer.feet[0], foot))
   {
+    this->settle_sign(foot, point);
     return foot;
   }
   // Of the feet at a pole, one from each piece, the first in u and v stands for all.

@@ -66,6 +66,12 @@ double PointInverter::size() const
   return this->Data->Size;
 }
 
+std::int64_t PointInverter::number_of_open_edges() const
+{
+  const FaceNeighbours* neighbours = this->Data->Prepared->neighbours();
+  return neighbours ? neighbours->number_of_open_edges() : 0;
+}
+
 Foot PointInverter::find(const Vector3& point, const Start& start) const
 {
   Workspace workspace;

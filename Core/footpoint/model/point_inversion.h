@@ -94,6 +94,10 @@ public:
   /// Diagonal of the bounding box of all control points.
   double size() const;
 
+  /// Borders of faces at which no other face is found (see Face::tolerance); 0 where the model is
+  /// closed, so that signed distances are negative inside, or has no two surfaces that could meet.
+  std::int64_t number_of_open_edges() const;
+
   /// The foot of one point.
   Foot find(const Vector3& point, const Start& start = {}) const;
   Foot find(const Vector3& point, const Start& start, Workspace& workspace) const;

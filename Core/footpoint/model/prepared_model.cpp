@@ -24,6 +24,15 @@ std::size_t number_of_patches(const Model& model)
   return count;
 }
 
+/// Whether there are two surfaces, or one that is trimmed and so may meet itself.
+bool has_neighbours(const Model& model)
+{
+  const auto surfaces = std::count_if(model.begin(), model.end(),
+    [](const Face& face) { return !face.patches.empty() && face.patches.front().surface; });
+  return surfaces > 1 ||
+    std::any_of(model.begin(), model.end(), [](const Face& face) { return face.region != nullptr; });
+}
+
 /// Throws here, not in the middle of a query.
 void check_method(const Model& model, Method method)
 {
@@ -101,6 +110,10 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
     const PreparedPatch& patch = this->Patches[k];
     members.push_back({ patch.patch, patch.face, this->Faces[patch.face].reversed, patch.shared,
       patch.region, patch.edge, patch.edge ? &edge_pieces[k - count] : nullptr });
+  }
+  if (has_neighbours(this->Faces))
+  {
+    this->Neighbours.emplace(this->Faces, this->Size);
   }
   if (parts.pieces)
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "footpoint/model/certified_feet.h"
+#include "footpoint/model/face_neighbours.h"
 #include "footpoint/model/point_inversion.h"
 #include "footpoint/model/shared_borders.h"
 
@@ -55,6 +56,9 @@ public:
   /// Null where it was not asked for, or the model is empty.
   const CertifiedFeet* certified() const { return this->Certified ? &*this->Certified : nullptr; }
 
+  /// Null where no two faces can meet.
+  const FaceNeighbours* neighbours() const { return this->Neighbours ? &*this->Neighbours : nullptr; }
+
   /// The patches in the order of faces, searched with these options.
   std::vector<PreparedPatch> patches(const InversionOptions& options) const;
 
@@ -67,6 +71,7 @@ private:
   std::vector<PreparedPatch> Patches;
   double Size = 0.0;
   std::optional<CertifiedFeet> Certified;
+  std::optional<FaceNeighbours> Neighbours;
 };
 
 /// Builds from the model what queries with the options ask for.

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/model/face_neighbours.h"
+
+#include "footpoint/model/evaluation.h"
+#include "footpoint/model/shared_borders.h"
+#include "footpoint/search/box_traversal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace footpoint
+{
+namespace
+{
+
+/// To which the boxes around rims are known, as a fraction of the model's size: below every
+/// tolerance within which borders meet.
+constexpr double kRimTolerance = 1e-8;
+
+/// Places of a part of a rim from which the nearest point is looked for, and Newton's steps.
+constexpr int kStarts = 5;
+constexpr int kSteps = 8;
+
+/// Into how many wedges a collapsed side is divided, where a face has a pole at its vertex.
+constexpr int kPoleWedges = 16;
+
+/// Local parameters of one place that differ by more than this part of the domain are two.
+constexpr double kOnePlace = 1e-6;
+
+/// A sum of normals shorter than this tells no side.
+constexpr double kNoNormal = 1e-9;
+
+/// The four sides of a domain, counter-clockwise from v = 0.
+TrimLoop sides_of(const Surface& surface)
+{
+  const Direction& u = surface.direction(0);
+  const Direction& v = surface.direction(1);
+  const double at[4][2] = { { u.origin, v.origin }, { u.origin + u.length, v.origin },
+    { u.origin + u.length, v.origin + v.length }, { u.origin, v.origin + v.length } };
+  TrimLoop loop;
+  for (int k = 0; k < 4; ++k)
+  {
+    Points points = Points::Zero(3, 2);
+    for (int i = 0; i < 2; ++i)
+    {
+      points(i, 0) = at[k][i];
+      points(i, 1) = at[(k + 1) % 4][i];
+    }
+    loop.curves.push_back(std::make_shared<Curve>(KnotVector(1, { 0, 0, 1, 1 }), points));
+  }
+  return loop;
+}
+
+/// Whether another patch of the face continues a side, numbered as in sides_of.
+bool is_shared(const SharedBorders& shared, int side)
+{
+  const bool along_u = side % 2 == 0;
+  return shared.shared[along_u ? 1 : 0][side == 1 || side == 2];
+}
+
+Sides<2> sides_at(const Surface& surface, const Parameter<2>& at)
+{
+  Sides<2> sides;
+  for (int i = 0; i < 2; ++i)
+  {
+    sides(i) = at(i) >= surface.direction(i).length ? Side::Left : Side::Right;
+  }
+  return sides;
+}
+
+} // namespace
+
+FaceNeighbours::FaceNeighbours(const Model& model, double size)
+{
+  this->add_rims(model, size);
+  std::vector<std::array<Vector3, 2>> boxes;
+  for (std::size_t k = 0; k < this->Rims.size(); ++k)
+  {
+    const Rim& rim = this->Rims[k];
+    this->Centre = k == 0 ? rim.curve->centre() : this->Centre;
+    const EdgePieces pieces = edge_pieces(*rim.curve, kRimTolerance * size);
+    const Vector3 around = Vector3::Constant(pieces.error + rim.tolerance);
+    for (const BezierPiece<1>& piece : pieces.pieces)
+    {
+      const std::array<Vector3, 2> box = bounding_box<1>(piece);
+      const Vector3 shift = rim.curve->centre() - this->Centre;
+      boxes.push_back({ { box[0] + shift - around, box[1] + shift + around } });
+      this->Parts.push_back({ k, piece.lower(0), piece.upper(0) });
+    }
+  }
+  this->Tree = BoxTree(boxes);
+  for (std::size_t k = 0; k < this->Rims.size(); ++k)
+  {
+    const Rim& rim = this->Rims[k];
+    const Parameter<1> middle(0.5 * rim.curve->direction(0).length);
+    const std::vector<Passage> here =
+      this->passages(rim.curve->centre() + rim.curve->point(middle), rim.tolerance);
+    const bool met = std::any_of(
+      here.begin(), here.end(), [k](const Passage& passage) { return passage.rim != k; });
+    this->OpenEdges += !met;
+  }
+}
+
+void FaceNeighbours::add_rims(const Model& model, double size)
+{
+  for (std::size_t f = 0; f < model.size(); ++f)
+  {
+    const Face& face = model[f];
+    this->Reversed.push_back(face.reversed);
+    const double tolerance = std::max(face.tolerance, kSewing * size);
+    this->Tolerances.push_back(tolerance);
+    const std::vector<SharedBorders> shared = find_shared_borders(face);
+    for (std::size_t i = 0; i < face.patches.size(); ++i)
+    {
+      const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches[i].surface);
+      if (!surface)
+      {
+        continue;
+      }
+      const auto region = face.region
+        ? face.region
+        : std::make_shared<const TrimRegion>(
+            std::vector<TrimLoop>{ sides_of(*surface) }, *surface, 0.0);
+      for (const auto& edge : edge_curves(surface, *region, EdgeArcs::NoSeams))
+      {
+        if (face.region || !is_shared(shared[i], edge->arcs().front().curve))
+        {
+          this->Rims.push_back({ static_cast<int>(f), edge, tolerance });
+        }
+      }
+    }
+  }
+}
+
+FaceNeighbours::Passage FaceNeighbours::nearest_on(const Part& part, const Vector3& point) const
+{
+  const EdgeCurve& curve = *this->Rims[part.rim].curve;
+  const Vector3 local = point - curve.centre();
+  const auto distance = [&](double t)
+  { return (curve.point(Parameter<1>(t)) - local).norm(); };
+  Passage best{ part.rim, part.lower, distance(part.lower) };
+  for (int k = 1; k < kStarts; ++k)
+  {
+    const double t = part.lower + (part.upper - part.lower) * k / (kStarts - 1);
+    const double here = distance(t);
+    best = here < best.distance ? Passage{ part.rim, t, here } : best;
+  }
+  double t = best.t;
+  for (int k = 0; k < kSteps; ++k)
+  {
+    const Sides<1> side(t >= part.upper ? Side::Left : Side::Right);
+    const Jet<1> jet = curve.jet(Parameter<1>(t), side, 1);
+    const double speed = jet.first.squaredNorm();
+    if (!(speed > 0.0))
+    {
+      break;
+    }
+    // Gauss and Newton: where the curve passes through the point that is as good.
+    const double next =
+      std::clamp(t - (jet.point - local).dot(jet.first.col(0)) / speed, part.lower, part.upper);
+    if (next == t)
+    {
+      break;
+    }
+    t = next;
+  }
+  const double there = distance(t);
+  return there < best.distance ? Passage{ part.rim, t, there } : best;
+}
+
+std::vector<FaceNeighbours::Passage> FaceNeighbours::passages(
+  const Vector3& point, double tolerance) const
+{
+  std::vector<Passage> result;
+  visit_near_boxes(
+    this->Tree, point - this->Centre, [tolerance] { return tolerance; },
+    [&](std::int32_t index)
+    {
+      const Part& part = this->Parts[index];
+      const Passage here = this->nearest_on(part, point);
+      if (here.distance > std::max(tolerance, this->Rims[part.rim].tolerance))
+      {
+        return;
+      }
+      const auto known = std::find_if(result.begin(), result.end(),
+        [&](const Passage& passage) { return passage.rim == part.rim; });
+      if (known == result.end())
+      {
+        result.push_back(here);
+      }
+      else if (here.distance < known->distance)
+      {
+        *known = here;
+      }
+    });
+  // In the order of the rims, not of the tree.
+  std::sort(result.begin(), result.end(),
+    [](const Passage& a, const Passage& b) { return a.rim < b.rim; });
+  return result;
+}
+
+Vector3 FaceNeighbours::normal(std::size_t rim, double t) const
+{
+  const EdgeCurve& curve = *this->Rims[rim].curve;
+  const Side side = t >= curve.direction(0).length ? Side::Left : Side::Right;
+  const Parameter<2> at = curve.surface_parameter(t, side);
+  return unit_normal(curve.surface(), at, sides_at(curve.surface(), at));
+}
+
+/// Between where one rim of a face ends and another begins, both at one vertex: the angle through the
+/// face, which lies on the left of its rims, times the normal.
+Vector3 FaceNeighbours::wedge(const Passage& arriving, const Passage& leaving) const
+{
+  const EdgeCurve& in = *this->Rims[arriving.rim].curve;
+  const EdgeCurve& out = *this->Rims[leaving.rim].curve;
+  const double pi = std::acos(-1.0);
+  const Vector3 back = -
+    unit_tangent(in, Parameter<1>(in.direction(0).length), Sides<1>(Side::Left));
+  const Vector3 forth = unit_tangent(out, Parameter<1>(0.0), Sides<1>(Side::Right));
+  const Surface& surface = out.surface();
+  const Parameter<2> from = out.surface_parameter(0.0);
+  const Parameter<2> to = in.surface_parameter(in.direction(0).length, Side::Left);
+  for (int i = 0; i < 2; ++i)
+  {
+    const Direction& direction = surface.direction(i);
+    const double way = to(i) - from(i);
+    const int other = 1 - i;
+    const int end = from(other) > 0.5 * surface.direction(other).length;
+    if (std::abs(way) <= kOnePlace * direction.length ||
+      !surface.direction(other).collapsed[end])
+    {
+      continue;
+    }
+    // A pole: the fan of the directions in which the surface leaves it.
+    Vector3 sum = Vector3::Zero();
+    Vector3 before = Vector3::Zero();
+    for (int k = 0; k <= kPoleWedges; ++k)
+    {
+      Parameter<2> at = from;
+      at(i) += way * k / kPoleWedges;
+      const Jet<2> jet = surface.jet(at, sides_at(surface, at), 1);
+      const Vector3 here = jet.first.col(other).normalized();
+      if (k > 0)
+      {
+        at(i) -= 0.5 * way / kPoleWedges;
+        sum += std::atan2(before.cross(here).norm(), before.dot(here)) *
+          unit_normal(surface, at, sides_at(surface, at));
+      }
+      before = here;
+    }
+    return sum;
+  }
+  const Vector3 normal = this->normal(leaving.rim, 0.0);
+  double angle = std::atan2(normal.dot(forth.cross(back)), forth.dot(back));
+  angle += angle < 0.0 ? 2.0 * pi : 0.0;
+  return angle * normal;
+}
+
+Vector3 FaceNeighbours::wedges(
+  const std::vector<Passage>& arriving, const std::vector<Passage>& leaving) const
+{
+  Vector3 sum = Vector3::Zero();
+  std::vector<bool> used(leaving.size(), false);
+  for (const Passage& in : arriving)
+  {
+    // Of several beginnings that one whose place in the parameters is nearest.
+    const EdgeCurve& curve = *this->Rims[in.rim].curve;
+    const Parameter<2> at = curve.surface_parameter(curve.direction(0).length, Side::Left);
+    std::size_t best = leaving.size();
+    double nearest = INFINITY;
+    for (std::size_t k = 0; k < leaving.size(); ++k)
+    {
+      const EdgeCurve& other = *this->Rims[leaving[k].rim].curve;
+      const double distance = &other.surface() == &curve.surface()
+        ? (other.surface_parameter(0.0) - at).norm()
+        : INFINITY;
+      if (!used[k] && (distance < nearest || best == leaving.size()))
+      {
+        best = k;
+        nearest = distance;
+      }
+    }
+    if (best < leaving.size())
+    {
+      used[best] = true;
+      sum += this->wedge(in, leaving[best]);
+    }
+  }
+  return sum;
+}
+
+Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
+{
+  const double tolerance = this->Tolerances[face];
+  const std::vector<Passage> here = this->passages(point, tolerance);
+  Vector3 sum = Vector3::Zero();
+  const double pi = std::acos(-1.0);
+  std::vector<int> faces;
+  for (const Passage& passage : here)
+  {
+    faces.push_back(this->Rims[passage.rim].face);
+  }
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  for (const int each : faces)
+  {
+    Vector3 of_face = Vector3::Zero();
+    std::vector<Passage> arriving;
+    std::vector<Passage> leaving;
+    for (const Passage& passage : here)
+    {
+      const Rim& rim = this->Rims[passage.rim];
+      if (rim.face != each)
+      {
+        continue;
+      }
+      const EdgeCurve& curve = *rim.curve;
+      const double length = curve.direction(0).length;
+      const double within = std::max(tolerance, rim.tolerance);
+      const auto is_at = [&](double t)
+      { return (curve.centre() + curve.point(Parameter<1>(t)) - point).norm() <= within; };
+      const bool at_start = is_at(0.0);
+      const bool at_end = is_at(length);
+      if (at_end)
+      {
+        arriving.push_back(passage);
+      }
+      if (at_start)
+      {
+        leaving.push_back(passage);
+      }
+      if (!at_start && !at_end)
+      {
+        of_face += pi * this->normal(passage.rim, passage.t);
+      }
+    }
+    of_face += this->wedges(arriving, leaving);
+    sum += this->Reversed[each] ? Vector3(-of_face) : of_face;
+  }
+  return sum.norm() > kNoNormal ? sum : Vector3(Vector3::Zero());
+}
+
+} // namespace footpoint

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/model/model.h"
+#include "footpoint/search/box_tree.h"
+#include "footpoint/trims/edge_curve.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace footpoint
+{
+
+/// Borders of faces that are no farther apart than this fraction of the model's size are one, also
+/// where no face has a tolerance: files are written with six digits and more.
+constexpr double kSewing = 1e-6;
+
+/// Which faces of a model meet at their borders, found by distance, so that distances from edges and
+/// vertices get their sign: of the sum of the normals of all faces that meet there, each weighted by
+/// the angle that the face fills (J. A. Bærentzen and H. Aanæs 2005). Built once; const and
+/// thread-safe.
+class FaceNeighbours
+{
+public:
+  /// \param model outlives this \param size of the model
+  FaceNeighbours(const Model& model, double size);
+
+  /// The weighted sum at a point on the border of a face; zero where no other border meets there.
+  Vector3 pseudonormal(const Vector3& point, int face) const;
+
+  /// Borders of surfaces without a neighbour in their middle: 0 on a closed solid.
+  std::int64_t number_of_open_edges() const { return this->OpenEdges; }
+
+private:
+  /// An edge of a face.
+  struct Rim
+  {
+    int face;
+    std::shared_ptr<const EdgeCurve> curve;
+    double tolerance;
+  };
+  /// A part of a rim, in a box of the tree.
+  struct Part
+  {
+    std::size_t rim;
+    double lower; ///< parameters of the rim's curve
+    double upper;
+  };
+  /// Where a rim passes through a point.
+  struct Passage
+  {
+    std::size_t rim;
+    double t;
+    double distance;
+  };
+
+  void add_rims(const Model& model, double size);
+  std::vector<Passage> passages(const Vector3& point, double tolerance) const;
+  Passage nearest_on(const Part& part, const Vector3& point) const;
+  Vector3 normal(std::size_t rim, double t) const;
+  /// Of all rims of one face that begin or end at a vertex: the normals times the angles.
+  Vector3 wedges(const std::vector<Passage>& arriving, const std::vector<Passage>& leaving) const;
+  Vector3 wedge(const Passage& arriving, const Passage& leaving) const;
+
+  std::vector<Rim> Rims;
+  std::vector<bool> Reversed; ///< of each face
+  std::vector<double> Tolerances;
+  std::vector<Part> Parts;
+  BoxTree Tree;
+  Vector3 Centre = Vector3::Zero();
+  std::int64_t OpenEdges = 0;
+};
+
+} // namespace footpoint
