@@ -62,11 +62,13 @@ void append_arcs(
     const auto& control = pieces[k].control;
     ChainArc arc;
     arc.arc.control.resize(3, control.cols());
-    arc.arc.control.row(2) = control.row(3);
+    // Sums of the basis functions are 1 up to rounding, and a polynomial has weights 1.
+    const Eigen::RowVectorXd weights =
+      curve.rational() ? control.row(3).eval() : Eigen::RowVectorXd::Ones(control.cols()).eval();
+    arc.arc.control.row(2) = weights;
     for (int i = 0; i < 2; ++i)
     {
-      arc.arc.control.row(i) =
-        control.row(i) + (curve.centre()[i] - plane.origin(i)) * control.row(3);
+      arc.arc.control.row(i) = control.row(i) + (curve.centre()[i] - plane.origin(i)) * weights;
     }
     arc.arc.loop = loop;
     arc.arc.curve = number;
@@ -75,8 +77,8 @@ void append_arcs(
     arc.arc.vertex = { { k == 0, k + 1 == pieces.size() } };
     arc.arc.inside_domain = true;
     const Eigen::Index last = control.cols() - 1;
-    arc.end = { { arc.arc.control.col(0).head<2>() / control(3, 0),
-      arc.arc.control.col(last).head<2>() / control(3, last) } };
+    arc.end = { { arc.arc.control.col(0).head<2>() / weights[0],
+      arc.arc.control.col(last).head<2>() / weights[last] } };
     for (int i = 0; i < 2; ++i)
     {
       if (is_constant(arc, i, plane.rounding(i)))

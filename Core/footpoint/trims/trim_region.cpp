@@ -22,6 +22,10 @@ constexpr double kBesideArc = 4.0;
 /// Rays run along u only where that makes them meet clearly fewer arcs.
 constexpr double kLongerAlong = 2.0;
 
+/// Areas of loops that differ by less, as a fraction, are equal: far above the rounding of
+/// integration.
+constexpr double kSameArea = 1e-9;
+
 /// Which way rays run: a is the coordinate they are parted by, b the one they run along.
 struct RayPlane
 {
@@ -155,8 +159,8 @@ int base_winding(const std::vector<LoopChain>& chains, const RayPlane& rays, con
     double at;
     int turns; ///< +1 keeps what lies above it
   };
-  std::vector<Height> heights; // of the loops that run around the surface
-  double largest = 0.0;
+  std::vector<Height> heights;                   // of the loops that run around the surface
+  std::array<double, 2> largest{ { 0.0, 0.0 } }; // of counter-clockwise, of clockwise loops
   for (const LoopChain& chain : chains)
   {
     if (chain.arcs.empty())
@@ -175,14 +179,15 @@ int base_winding(const std::vector<LoopChain>& chains, const RayPlane& rays, con
             turns * rays.orientation });
       }
     }
-    else if (std::abs(area) > std::abs(largest))
+    else
     {
-      largest = -area * rays.orientation; // counter-clockwise: positive
+      const bool clockwise = area * rays.orientation > 0.0;
+      largest[clockwise] = std::max(largest[clockwise], std::abs(area));
     }
   }
   if (heights.empty())
   {
-    return largest < 0.0 ? 1 : 0;
+    return largest[1] > (1.0 + kSameArea) * largest[0] ? 1 : 0;
   }
   std::sort(
     heights.begin(), heights.end(), [](const Height& a, const Height& b) { return a.at < b.at; });

@@ -188,6 +188,10 @@ bool WindingIndex::is_above(const Arc& arc, double a, double b) const
   {
     return y * arc.width > x * arc.height;
   }
+  if (x <= 0.0 || x >= arc.width)
+  {
+    return y > (x <= 0.0 ? 0.0 : arc.height);
+  }
   // The zero of arc less point in a: secants in a bracket (Illinois variant, M. Dowell and P.
   // Jarratt 1971) that is halved every third step; most points are told apart long before it is
   // found.
@@ -197,7 +201,8 @@ bool WindingIndex::is_above(const Arc& arc, double a, double b) const
   double above = arc.width - x;
   double t = x / arc.width;
   int last_side = 0;
-  bool is_over = y > (rising ? 0.0 : arc.height);
+  bool is_over = false;
+  t = t > low && t < high ? t : 0.5;
   for (int step = 0; step < kMostSteps && t > low && t < high; ++step)
   {
     const Sums sums = evaluate(this->Coefficients.data() + arc.first, arc.degree, t);
