@@ -21,8 +21,9 @@ constexpr int kMostSteps = 200;
 /// Up to so many arcs one bucket is faster than several.
 constexpr std::size_t kOneBucket = 12;
 
-/// Arcs that are compared with a box before it is given up as crossed: about 200 ns of work.
-constexpr int kMostComparisons = 48;
+/// Arcs that are compared with a box before it is given up as crossed: about 200 ns of work, as most
+/// are told apart by their boxes.
+constexpr int kMostComparisons = 128;
 
 struct Sums
 {
