@@ -11,8 +11,8 @@ namespace
 
 /// Cells per arc: memory stays proportional to the arcs, and an arc of ordinary length passes
 /// through a small part of the cells.
-constexpr double kCellsPerArc = 16.0;
-constexpr double kLeastSide = 16.0;
+constexpr double kCellsPerArc = 32.0;
+constexpr double kLeastSide = 32.0;
 constexpr double kLargestSide = 512.0; ///< 1.3 MB with the sums
 
 /// Halvings after which what is left of an arc marks its whole box.

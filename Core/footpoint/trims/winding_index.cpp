@@ -21,8 +21,8 @@ constexpr int kMostSteps = 200;
 /// Up to so many arcs one bucket is faster than several.
 constexpr std::size_t kOneBucket = 12;
 
-/// Arcs that are compared with a box before it is given up as crossed: about 200 ns of work, as most
-/// are told apart by their boxes.
+/// Arcs that are compared with a box before it is given up as crossed: about 200 ns of work, as
+/// most are told apart by their boxes.
 constexpr int kMostComparisons = 128;
 
 struct Sums
@@ -62,19 +62,20 @@ WindingIndex::WindingIndex(const std::vector<IndexedArc>& arcs, const std::array
   , Margin(margin)
   , Base(base)
 {
+  std::vector<RayBox> boxes;
   for (const IndexedArc& arc : arcs)
   {
     const auto [low_a, high_a] = std::minmax(arc.end[0][0], arc.end[1][0]);
     const bool met = low_a < length[0] || (low_a == length[0] && high_a == low_a);
     if (met && high_a >= 0.0 && std::min(arc.end[0][1], arc.end[1][1]) <= length[1])
     {
-      this->add_arc(arc);
+      boxes.push_back(this->add_arc(arc));
     }
   }
-  this->fill_buckets();
+  this->fill_buckets(boxes);
 }
 
-void WindingIndex::add_arc(const IndexedArc& source)
+WindingIndex::RayBox WindingIndex::add_arc(const IndexedArc& source)
 {
   const bool forward = source.end[0][0] <= source.end[1][0];
   const Eigen::Vector2d& left = source.end[forward ? 0 : 1];
@@ -83,17 +84,10 @@ void WindingIndex::add_arc(const IndexedArc& source)
   arc.width = right[0] - left[0];
   arc.height = right[1] - left[1];
   arc.low_a = left[0];
-  arc.high_a = right[0] == this->Length[0] && arc.width > 0.0 ? kInfinity : right[0];
   arc.low_b = std::min(left[1], right[1]);
   arc.high_b = std::max(left[1], right[1]);
   arc.on_border = (arc.width == 0.0 && (left[0] == 0.0 || left[0] == this->Length[0])) ||
     (arc.height == 0.0 && (left[1] == 0.0 || left[1] == this->Length[1]));
-  if (arc.height == 0.0 && left[1] == 0.0)
-  {
-    arc.low_b = -kInfinity;
-    arc.high_b = -kInfinity;
-  }
-  arc.sign = forward ? source.sign : -source.sign;
   arc.degree = static_cast<std::int16_t>(source.control.cols() - 1);
   arc.first = static_cast<std::uint32_t>(this->Coefficients.size());
   if (arc.width == 0.0 || arc.height == 0.0)
@@ -111,7 +105,13 @@ void WindingIndex::add_arc(const IndexedArc& source)
       this->Coefficients.push_back(binomial[i] * point[2]);
     }
   }
+  const bool last = right[0] == this->Length[0] && arc.width > 0.0;
+  const bool at_start = arc.height == 0.0 && left[1] == 0.0;
+  const RayBox box{ left[0], last ? kInfinity : right[0], at_start ? -kInfinity : arc.low_b,
+    at_start ? -kInfinity : arc.high_b, forward ? source.sign : -source.sign,
+    static_cast<std::uint32_t>(this->Arcs.size()) };
   this->Arcs.push_back(arc);
+  return box;
 }
 
 int WindingIndex::level_of(const Arc& arc, int levels) const
@@ -120,7 +120,7 @@ int WindingIndex::level_of(const Arc& arc, int levels) const
   return buckets < 2.0 ? 0 : std::ilogb(std::min(buckets, std::ldexp(1.0, levels - 1)));
 }
 
-void WindingIndex::fill_buckets()
+void WindingIndex::fill_buckets(const std::vector<RayBox>& boxes)
 {
   int levels = 1;
   while (this->Arcs.size() > kOneBucket && (std::size_t(1) << (levels - 1)) < this->Arcs.size())
@@ -160,7 +160,7 @@ void WindingIndex::fill_buckets()
       this->BucketStart.push_back(static_cast<std::uint32_t>(this->Entries.size()));
       for (; next < placed.size() && placed[next][0] == bucket; ++next)
       {
-        this->Entries.push_back(placed[next][1]);
+        this->Entries.push_back(boxes[placed[next][1]]);
       }
     }
     this->BucketStart.push_back(static_cast<std::uint32_t>(this->Entries.size()));
@@ -251,11 +251,12 @@ int WindingIndex::winding(double a, double b) const
     const std::uint32_t* start = this->BucketStart.data() + level.first + bucket;
     for (std::uint32_t entry = start[0]; entry < start[1]; ++entry)
     {
-      const Arc& arc = this->Arcs[this->Entries[entry]];
-      if (a >= arc.low_a && a < arc.high_a && b > arc.low_b &&
-        (b > arc.high_b || this->is_above(arc, a, b)))
+      // Without a branch between the comparisons: which of them fails cannot be foretold.
+      const RayBox& box = this->Entries[entry];
+      const bool met = (a >= box.low_a) & (a < box.high_a) & (b > box.low_b);
+      if (met && (b > box.high_b || this->is_above(this->Arcs[box.arc], a, b)))
       {
-        count += arc.sign;
+        count += box.sign;
       }
     }
   }
@@ -300,8 +301,11 @@ bool WindingIndex::crossed(
     const std::uint32_t end = start[last + 1];
     for (std::uint32_t entry = start[first]; entry < end; ++entry)
     {
+      const RayBox& box = this->Entries[entry];
+      const bool near = (low[0] <= box.high_a) & (high[0] >= box.low_a) & (low[1] <= box.high_b) &
+        (high[1] >= box.low_b);
       if (++comparisons > kMostComparisons ||
-        this->passes(this->Arcs[this->Entries[entry]], low, high))
+        (near && this->passes(this->Arcs[box.arc], low, high)))
       {
         return true;
       }

@@ -58,17 +58,26 @@ public:
   bool on_border(std::size_t arc) const { return this->Arcs[arc].on_border; }
 
 private:
-  /// An arc from small to large a.
-  struct Arc
+  /// Where an arc matters to rays.
+  struct RayBox
   {
     double low_a;
     double high_a; ///< first a that belongs to the next arc; infinite at the end of the domain
     double low_b;  ///< minus infinity along the start of the domain: points there lie above it
     double high_b;
+    std::int32_t sign; ///< what a ray that meets it adds
+    std::uint32_t arc; ///< number
+  };
+
+  /// An arc from small to large a.
+  struct Arc
+  {
+    double low_a;
+    double low_b;
+    double high_b;
     double width;        ///< of the arc in a
     double height;       ///< of the arc in b, negative where b falls while a grows
     std::uint32_t first; ///< of its coefficients
-    std::int32_t sign;
     std::int16_t degree;
     bool on_border;
   };
@@ -81,8 +90,8 @@ private:
     std::uint32_t first; ///< of its numbers in BucketStart
   };
 
-  void add_arc(const IndexedArc& source);
-  void fill_buckets();
+  RayBox add_arc(const IndexedArc& source);
+  void fill_buckets(const std::vector<RayBox>& boxes);
   int level_of(const Arc& arc, int levels) const;
   bool is_above(const Arc& arc, double a, double b) const;
   bool passes(
@@ -97,7 +106,7 @@ private:
   std::vector<double> Coefficients;
   std::vector<Level> Levels; ///< those that hold arcs
   std::vector<std::uint32_t> BucketStart;
-  std::vector<std::uint32_t> Entries; ///< numbers of arcs, bucket by bucket
+  std::vector<RayBox> Entries; ///< bucket by bucket, side by side in memory
 };
 
 } // namespace footpoint
