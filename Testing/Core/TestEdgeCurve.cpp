@@ -172,7 +172,8 @@ void expect_chain(const EdgeCurve& edge, const EdgePieces& pieces, double roundi
   for (const double end : spans)
   {
     EXPECT_TRUE(std::any_of(pieces.pieces.begin(), pieces.pieces.end(),
-      [end](const BezierPiece<1>& piece) { return piece.lower[0] == end || piece.upper[0] == end; }));
+      [end](const BezierPiece<1>& piece)
+      { return piece.lower[0] == end || piece.upper[0] == end; }));
   }
   for (std::size_t k = 0; k + 1 < pieces.pieces.size(); ++k)
   {
@@ -250,12 +251,11 @@ TEST(EdgeCurve, SlantedLineOnACylinderWindsAroundIt)
     for (int i = 0; i <= 16; ++i)
     {
       const Eigen::Matrix<Real, 4, 1> sum = bezier_sum<4>(piece.control, i / 16.0L);
-      const oracle::Vector point =
-        sum.head<3>() / sum[3] + edge.centre().cast<Real>();
+      const oracle::Vector point = sum.head<3>() / sum[3] + edge.centre().cast<Real>();
       const Real t = piece.lower[0] + i / 16.0L * (piece.upper[0] - piece.lower[0]);
       EXPECT_NEAR(static_cast<double>(std::hypot(point.x(), point.y())), 10.0, pieces.error);
-      EXPECT_NEAR(static_cast<double>(point.z()), static_cast<double>(-9.0L + t / 15.0L),
-        pieces.error);
+      EXPECT_NEAR(
+        static_cast<double>(point.z()), static_cast<double>(-9.0L + t / 15.0L), pieces.error);
     }
   }
 }
@@ -268,8 +268,8 @@ TEST(EdgeCurve, LinesAlongUOrVAreTheSurfacesOwnArcs)
   {
     for (const bool along_u : { false, true })
     {
-      const EdgeCurve edge = edge_on(shapes::torus(),
-        { along_u ? line(from, 120, to, 120) : line(120, from, 120, to) });
+      const EdgeCurve edge =
+        edge_on(shapes::torus(), { along_u ? line(from, 120, to, 120) : line(120, from, 120, to) });
       const EdgePieces pieces = expect_accurate(edge, 1e-14);
       ASSERT_EQ(pieces.pieces.size(), 1u);
       EXPECT_EQ(pieces.pieces[0].degree[0], 2);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "footpoint/trims/trim_region.h"
+#include "footpoint/splines/surface.h"
+#include "footpoint/trims/trim_arc.h"
 
 namespace footpoint
 {
@@ -18,8 +19,8 @@ struct ArcCell
 /// \param arc monotone and between knot lines; an arc along a knot line counts as above it
 ArcCell arc_cell(const Surface& surface, const TrimArc& arc);
 
-/// (u, v) of an arc and its derivatives. \param fraction of the arc, in [0, 1]; derivatives are by it
-/// \param order highest derivative wanted, 0 … 3; columns above are 0
+/// (u, v) of an arc and its derivatives. \param fraction of the arc, in [0, 1]; derivatives are by
+/// it \param order highest derivative wanted, 0 … 3; columns above are 0
 Eigen::Matrix<double, 2, 4> arc_jet(const TrimArc& arc, double fraction, int order);
 
 } // namespace footpoint

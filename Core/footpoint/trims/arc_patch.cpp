@@ -217,8 +217,7 @@ ArcPatch::ArcPatch(const Surface& surface, const TrimArc& from, const ArcCell& c
     this->control = apply(this->control, i, this->degree[0] + 1, spans[i].matrix);
   }
   this->magnitude =
-    (this->control.topRows<3>().colwise().norm().array() / this->control.row(3).array())
-      .maxCoeff();
+    (this->control.topRows<3>().colwise().norm().array() / this->control.row(3).array()).maxCoeff();
   this->change = 0.0;
 
   // === The arc within it
@@ -232,8 +231,8 @@ ArcPatch::ArcPatch(const Surface& surface, const TrimArc& from, const ArcCell& c
     {
       this->change += extent > 0.0 ? speed_bound(*this, i) : 0.0;
       const Eigen::Index along_u = this->degree[0] + 1;
-      this->control = apply(
-        this->control, i, along_u, Eigen::VectorXd::Unit(this->degree[i] + 1, 0));
+      this->control =
+        apply(this->control, i, along_u, Eigen::VectorXd::Unit(this->degree[i] + 1, 0));
       this->degree[i] = 0;
       this->arc.row(2 * i) = from.control.row(2);
       this->arc.row(2 * i + 1).setZero();
@@ -263,7 +262,8 @@ ArcPatch::ArcPatch(const Surface& surface, const TrimArc& from, const ArcCell& c
 
 int ArcPatch::composed_degree() const
 {
-  return this->affine ? this->arc_degree() : (this->degree[0] + this->degree[1]) * this->arc_degree();
+  return this->affine ? this->arc_degree()
+                      : (this->degree[0] + this->degree[1]) * this->arc_degree();
 }
 
 Eigen::Vector4d ArcPatch::at(const Homogeneous& along, double t) const
@@ -301,8 +301,8 @@ Homogeneous ArcPatch::compose() const
     const Eigen::Vector4d corner = this->control.col(0);
     const Eigen::Vector4d u = this->control.col(this->degree[0]) - corner;
     const Eigen::Vector4d v = this->control.col(last) - corner;
-    result = corner * (this->arc.row(0) + this->arc.row(1)) + u * this->arc.row(1) +
-      v * this->arc.row(3);
+    result =
+      corner * (this->arc.row(0) + this->arc.row(1)) + u * this->arc.row(1) + v * this->arc.row(3);
   }
   else
   {

@@ -50,8 +50,7 @@ Vector3 third_along(const Surface& surface, const std::array<int, 2>& span, cons
   {
     for (int i = 0; i < count[0]; ++i)
     {
-      const Eigen::Index at =
-        (span[1] - count[1] + 1 + j) * nu + span[0] - count[0] + 1 + i;
+      const Eigen::Index at = (span[1] - count[1] + 1 + j) * nu + span[0] - count[0] + 1 + i;
       const double weight = surface.rational() ? surface.weights()[at] : 1.0;
       Eigen::Vector4d point;
       point << weight * surface.local_control_points().col(at), weight;

@@ -3,6 +3,7 @@
 
 #include "footpoint/splines/bezier.h"
 #include "footpoint/trims/arc_cell.h"
+#include "footpoint/trims/trim_region.h"
 
 #include <memory>
 #include <vector>
@@ -10,8 +11,8 @@
 namespace footpoint
 {
 
-/// An edge of a trimmed face in space: S(c(t)), a surface after a trim curve. Its centre() is that of
-/// the surface.
+/// An edge of a trimmed face in space: S(c(t)), a surface after a trim curve. Its centre() is that
+/// of the surface.
 class EdgeCurve : public ParametricCurve
 {
 public:
@@ -54,7 +55,8 @@ struct EdgePieces
   double error;
 };
 
-/// \param tolerance to which S(c(t)) is approximated where no exact piece of low degree exists (model
+/// \param tolerance to which S(c(t)) is approximated where no exact piece of low degree exists
+/// (model
 ///                  units); `error` may exceed it where rounding or work do not allow more
 EdgePieces edge_pieces(const EdgeCurve& edge, double tolerance);
 

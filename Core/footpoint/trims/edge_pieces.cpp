@@ -24,12 +24,11 @@ bool is_exact(const ArcPatch& patch)
 }
 
 /// Bound of the rounding of control points and samples: products and sums one after the other, of
-/// the extraction and of de Casteljau's algorithm; all terms are positive, so that each costs no more
-/// than itself.
+/// the extraction and of de Casteljau's algorithm; all terms are positive, so that each costs no
+/// more than itself.
 double rounding(const ArcPatch& patch)
 {
-  const int operations =
-    8 + 6 * (patch.degree[0] + patch.degree[1]) + 3 * patch.composed_degree();
+  const int operations = 8 + 6 * (patch.degree[0] + patch.degree[1]) + 3 * patch.composed_degree();
   return 0x1p-53 * operations * patch.magnitude;
 }
 
@@ -41,14 +40,13 @@ EdgePieces edge_pieces(const EdgeCurve& edge, double tolerance)
   const std::vector<double>& spans = edge.direction(0).spans;
   for (std::size_t k = 0; k < edge.arcs().size(); ++k)
   {
-    const ArcPatch patch(
-      edge.surface(), edge.arcs()[k], edge.cells()[k], kSimplified * tolerance);
+    const ArcPatch patch(edge.surface(), edge.arcs()[k], edge.cells()[k], kSimplified * tolerance);
     double error = patch.change + rounding(patch);
     if (is_exact(patch))
     {
       const int degree = std::max(patch.composed_degree(), 1);
-      result.pieces.push_back({ { { degree } }, Parameter<1>(spans[k]), Parameter<1>(spans[k + 1]),
-        patch.compose() });
+      result.pieces.push_back(
+        { { { degree } }, Parameter<1>(spans[k]), Parameter<1>(spans[k + 1]), patch.compose() });
     }
     else
     {
