@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shapes.h"
+#include "SharedFaces.h"
+#include "TrimShapes.h"
 
 #include "footpoint/trims/edge_curve.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -14,7 +17,9 @@ using footpoint::edge_pieces;
 using footpoint::EdgeCurve;
 using footpoint::EdgePieces;
 using footpoint::Jet;
+using footpoint::KnotVector;
 using footpoint::Parameter;
+using footpoint::Points;
 using footpoint::Side;
 using footpoint::Sides;
 using footpoint::Surface;
@@ -88,20 +93,21 @@ Eigen::Matrix<Real, Rows, 1> bezier_sum(
   return sum;
 }
 
-/// S(c(t)) in long double, relative to the surface's centre.
+/// S(c(t)) in long double, in local parameters and relative to the surface's centre.
 class Judge
 {
 public:
   explicit Judge(const EdgeCurve& edge)
     : Edge(edge)
-    , Spline(shapes::local_spline_of(edge.surface()))
+    , Spline({ { edge.surface().knots(0).degree(), edge.surface().knots(1).degree() } },
+        { { edge.surface().knots(0).local_knots(), edge.surface().knots(1).local_knots() } },
+        edge.surface().local_control_points(), edge.surface().weights())
   {
   }
 
   /// \param fraction of an arc; may leave [0, 1] a little, the pieces are continued
   oracle::Vector at(std::size_t arc, Real fraction) const
   {
-    const Surface& surface = this->Edge.surface();
     const TrimArc& of = this->Edge.arcs()[arc];
     const Homogeneous3 middle = bezier_sum<3>(of.control, 0.5L);
     const Homogeneous3 sum = bezier_sum<3>(of.control, fraction);
@@ -109,10 +115,9 @@ public:
     std::array<Real, 2> t;
     for (int i = 0; i < 2; ++i)
     {
-      const Real origin = surface.direction(i).origin;
       // An arc on the last line of the domain belongs to the span below.
-      spans[i] = this->Spline.span(i, origin + middle[i] / middle[2], false);
-      t[i] = origin + sum[i] / sum[2];
+      spans[i] = this->Spline.span(i, middle[i] / middle[2], false);
+      t[i] = sum[i] / sum[2];
     }
     return this->Spline.evaluate(spans, t);
   }
@@ -283,4 +288,349 @@ TEST(EdgeCurve, LinesAlongUOrVAreTheSurfacesOwnArcs)
   {
     EXPECT_NEAR((meridian.centre() + meridian.point(Parameter<1>(t))).norm(), 1.0, 1e-15);
   }
+}
+
+// === Any surface, any arc
+
+namespace
+{
+
+/// An arc that is monotone in both directions, from one corner of a rectangle to another.
+TrimArc monotone_arc(shapes::Random& random, int degree, const std::array<double, 2>& lower,
+  const std::array<double, 2>& upper, double decades)
+{
+  Eigen::Matrix2Xd points(2, degree + 1);
+  Eigen::VectorXd weights(degree + 1);
+  for (int i = 0; i < 2; ++i)
+  {
+    std::vector<double> at;
+    for (int j = 0; j <= degree; ++j)
+    {
+      at.push_back(random.uniform(lower[i], upper[i]));
+    }
+    std::sort(at.begin(), at.end());
+    if (random.integer(0, 1) == 0)
+    {
+      std::reverse(at.begin(), at.end());
+    }
+    points.row(i) = Eigen::Map<Eigen::RowVectorXd>(at.data(), degree + 1);
+  }
+  for (double& w : weights)
+  {
+    w = decades > 0.0 ? random.magnitude(decades) : 1.0;
+  }
+  return arc_of(points, weights);
+}
+
+/// Some arcs in a random cell of a surface.
+EdgeCurve random_edge(
+  shapes::Random& random, const Surface& surface, int degree, double decades, double part = 1.0)
+{
+  std::array<double, 2> lower;
+  std::array<double, 2> upper;
+  for (int i = 0; i < 2; ++i)
+  {
+    const std::vector<double>& spans = surface.direction(i).spans;
+    const int k = random.integer(0, static_cast<int>(spans.size()) - 2);
+    lower[i] = spans[k];
+    upper[i] = spans[k] + part * (spans[k + 1] - spans[k]);
+  }
+  return edge_on(surface, { monotone_arc(random, degree, lower, upper, decades) });
+}
+
+/// A derivative of S(c(t)) on the first arc by central differences in long double with
+/// extrapolation (C. J. F. Ridders 1982).
+oracle::Vector difference(const Judge& judge, Real t, Real length, int order)
+{
+  static const std::array<std::vector<Real>, 4> stencils{ { { 0, 1, 0 }, { -0.5L, 0, 0.5L },
+    { 1, -2, 1 }, { -0.5L, 1, 0, -1, 0.5L } } };
+  const std::vector<Real>& stencil = stencils[order];
+  const auto half = static_cast<int>(stencil.size() / 2);
+  constexpr int kLevels = 8;
+  std::array<std::array<oracle::Vector, kLevels>, kLevels> table;
+  oracle::Vector best = oracle::Vector::Zero();
+  Real error = std::numeric_limits<Real>::infinity();
+  Real h = 0.01L * length;
+  for (int i = 0; i < kLevels; ++i, h /= 2.0L)
+  {
+    table[i][0].setZero();
+    for (int k = -half; k <= half; ++k)
+    {
+      table[i][0] += stencil[k + half] / std::pow(h, static_cast<Real>(order)) *
+        judge.at_parameter(t + static_cast<Real>(k) * h, 0);
+    }
+    Real factor = 4.0L;
+    for (int j = 1; j <= i; ++j, factor *= 4.0L)
+    {
+      table[i][j] = (factor * table[i][j - 1] - table[i - 1][j - 1]) / (factor - 1.0L);
+      const Real change = std::max(
+        (table[i][j] - table[i][j - 1]).norm(), (table[i][j] - table[i - 1][j - 1]).norm());
+      if (change < error)
+      {
+        error = change;
+        best = table[i][j];
+      }
+    }
+  }
+  return best;
+}
+
+/// Derivatives against long double differences of S(c(t)), continued beyond the arc's ends; as
+/// fractions of what the edge's size and the arc's length let expect.
+void expect_derivatives(const EdgeCurve& edge, double relative)
+{
+  const Judge judge(edge);
+  const double length = edge.direction(0).length;
+  for (const double t : { 0.0, 0.3 * length, length })
+  {
+    const Side side = t == length ? Side::Left : Side::Right;
+    const Jet<1> jet = edge.jet(Parameter<1>(t), Sides<1>(side), 3);
+    const std::array<Vector3, 4> found{ { jet.point, jet.first, jet.second, jet.third } };
+    for (int order = 0; order <= 3; ++order)
+    {
+      const oracle::Vector expected = difference(judge, t, length, order);
+      const double scale =
+        std::max(found[order].norm(), edge.size() / std::pow(length, static_cast<double>(order)));
+      EXPECT_LE(static_cast<double>((found[order].cast<Real>() - expected).norm()),
+        (order == 0 ? 1e-14 * edge.surface().size() : relative * scale))
+        << "order " << order << " at " << t;
+    }
+  }
+}
+
+} // namespace
+
+TEST(EdgeCurve, PiecesOfAnyEdgeKeepTheirBound)
+{
+  shapes::Random random(71);
+  for (int p = 1; p <= 6; ++p)
+  {
+    for (int q = 1; q <= 6; ++q)
+    {
+      for (const double decades : { 0.0, 0.5, 2.0 })
+      {
+        const int degree = 1 + (p + q) % 5;
+        const auto arrays = shapes::random_arrays<2>(random, { p, q }, 2, q % 2 == 0, decades);
+        const double of_arc = p % 2 == 0 ? decades : 0.0;
+        SCOPED_TRACE(testing::Message() << p << " x " << q << ", arc " << degree << ", weights "
+                                        << decades << ", of the arc " << of_arc);
+        expect_accurate(random_edge(random, arrays.geometry(), degree, of_arc));
+      }
+    }
+  }
+}
+
+TEST(EdgeCurve, LooserTolerancesTakeFewerPieces)
+{
+  shapes::Random random(72);
+  const auto arrays = shapes::random_arrays<2>(random, { 4, 5 }, 2, true, 1.0);
+  const EdgeCurve edge = random_edge(random, arrays.geometry(), 4, 1.0);
+  std::size_t before = expect_accurate(edge, 1e-13).pieces.size();
+  for (const double relative : { 1e-10, 1e-7, 1e-4 })
+  {
+    const std::size_t count = expect_accurate(edge, relative).pieces.size();
+    EXPECT_LT(count, before);
+    before = count;
+  }
+  // More than rounding allows cannot be had: that is said, and work stays within bounds.
+  const EdgePieces finest = edge_pieces(edge, 0.0);
+  EXPECT_GT(finest.error, 0.0);
+  EXPECT_LE(finest.error, 1e-13 * edge.surface().size());
+  EXPECT_LE(largest_error(edge, finest), finest.error);
+}
+
+TEST(EdgeCurve, PiecesAtAnyScale)
+{
+  shapes::Random random(73);
+  for (const double scale : { 1e-6, 1.0, 1e6 })
+  {
+    for (const double offset : { 0.0, 1e6 })
+    {
+      for (const double start : { 0.0, 1e6 })
+      {
+        Points net(3, 36);
+        for (Eigen::Index i = 0; i < net.cols(); ++i)
+        {
+          net.col(i) = Vector3::Constant(offset) + scale * random.vector(-1.0, 1.0);
+        }
+        const std::vector<double> knots = shapes::clamped_knots(3, 3, start, start + 1.0);
+        const Surface surface(KnotVector(3, knots, "KnotsU"), KnotVector(3, knots, "KnotsV"), net);
+        SCOPED_TRACE(
+          testing::Message() << "scale " << scale << " offset " << offset << " start " << start);
+        const EdgeCurve edge = random_edge(random, surface, 3, 1.0);
+        expect_accurate(edge);
+        expect_derivatives(edge, 1e-7);
+        expect_accurate(random_edge(random, surface, 3, 0.0, 1e-6)); // a short one
+      }
+    }
+  }
+}
+
+TEST(EdgeCurve, DerivativesAreThoseOfTheComposedCurve)
+{
+  shapes::Random random(74);
+  for (int p = 1; p <= 6; ++p)
+  {
+    for (const double decades : { 0.0, 0.5 })
+    {
+      const auto arrays = shapes::random_arrays<2>(random, { p, 7 - p }, 2, true, decades);
+      SCOPED_TRACE(testing::Message() << p << " x " << 7 - p << ", weights " << decades);
+      expect_derivatives(random_edge(random, arrays.geometry(), 1 + p % 5, decades), 1e-7);
+    }
+  }
+}
+
+// === Joints, sides, ends
+
+TEST(EdgeCurve, BreaksAreKinksOfTheTrimCurveAndOfTheSurface)
+{
+  // A corner in (u, v) on a plane, then a smooth joint.
+  const EdgeCurve corner = edge_on(
+    shapes::square(), { line(1, 1, 5, 1, 0, 4), line(5, 1, 5, 5, 4, 8), line(5, 5, 5, 9, 8, 12) });
+  ASSERT_EQ(corner.direction(0).breaks.size(), 3u);
+  EXPECT_EQ(corner.direction(0).breaks[1].at, 4.0);
+  EXPECT_FALSE(corner.direction(0).breaks[1].gap);
+  EXPECT_EQ(corner.direction(0).spans, (std::vector<double>{ 0, 4, 8, 12 }));
+  EXPECT_FALSE(corner.direction(0).closed);
+  const Jet<1> before = corner.jet(Parameter<1>(4.0), Sides<1>(Side::Left), 1);
+  const Jet<1> after = corner.jet(Parameter<1>(4.0), Sides<1>(Side::Right), 1);
+  EXPECT_EQ(before.point, after.point);
+  EXPECT_LE((before.first - Vector3(0, 1, 0)).norm(), 1e-15);
+  EXPECT_LE((after.first - Vector3(0, 0, 1)).norm(), 1e-15);
+
+  // A roof, straight in (u, v): z = |u − 1| has its ridge at u = 1; then the same with a step.
+  for (const bool gap : { false, true })
+  {
+    const std::vector<double> knots =
+      gap ? std::vector<double>{ 0, 0, 1, 1, 2, 2 } : std::vector<double>{ 0, 0, 1, 2, 2 };
+    const int nu = gap ? 4 : 3;
+    Points net(3, 2 * nu);
+    for (int j = 0; j < 2; ++j)
+    {
+      net.col(j * nu) << 0, j, 1;
+      net.col(j * nu + 1) << 1, j, 0;
+      net.col(j * nu + 2) << 1, j, 3; // of the gap only
+      net.col(j * nu + nu - 1) << 2, j, 1;
+    }
+    const Surface roof(
+      KnotVector(1, knots, "KnotsU"), KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"), net);
+    const EdgeCurve over =
+      edge_on(roof, { line(0, 0.2, 1, 0.4, 0, 1), line(1, 0.4, 2, 0.6, 1, 2) });
+    ASSERT_EQ(over.direction(0).breaks.size(), 3u);
+    EXPECT_EQ(over.direction(0).breaks[1].at, 1.0);
+    EXPECT_EQ(over.direction(0).breaks[1].gap, gap);
+    const auto height = [&](Side side)
+    { return over.centre().z() + over.jet(Parameter<1>(1.0), Sides<1>(side), 0).point.z(); };
+    EXPECT_EQ(height(Side::Left), 0.0);
+    EXPECT_EQ(height(Side::Right), gap ? 3.0 : 0.0);
+    const Jet<1> up = over.jet(Parameter<1>(1.0), Sides<1>(Side::Left), 1);
+    EXPECT_LE((up.first - Vector3(1, 0.2, -1)).norm(), 1e-15);
+    const EdgePieces pieces = edge_pieces(over, 1e-13);
+    EXPECT_EQ(pieces.pieces.size(), 2u);
+    EXPECT_LE(largest_error(over, pieces), pieces.error);
+  }
+}
+
+TEST(EdgeCurve, RoundingOfAnArcsEndStaysOnItsSideOfAKink)
+{
+  // The arc ends one rounding beyond the ridge at u = 1, where another slope begins.
+  const Surface roof(KnotVector(1, { 0, 0, 1, 2, 2 }, "KnotsU"),
+    KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"),
+    shapes::points(
+      { { 0, 0, 1 }, { 1, 0, 0 }, { 2, 0, 1 }, { 0, 1, 1 }, { 1, 1, 0 }, { 2, 1, 1 } }));
+  const EdgeCurve edge = edge_on(roof, { line(0, 0.5, 1 + 0x1p-52, 0.5) });
+  for (const Side side : { Side::Left, Side::Right })
+  {
+    const Jet<1> jet = edge.jet(Parameter<1>(1.0), Sides<1>(side), 1);
+    EXPECT_LE((jet.first - Vector3(1, 0, -1)).norm(), 1e-15);
+  }
+  EXPECT_EQ(edge.surface_parameter(1.0)[0], 1.0);
+  EXPECT_LE(largest_error(edge, edge_pieces(edge, 1e-13)), 1e-15);
+}
+
+TEST(EdgeCurve, TellsWhereOnTheSurfaceItIs)
+{
+  const EdgeCurve edge =
+    edge_on(shapes::square(), { line(1, 2, 3, 4, 5, 7), line(3, 4, 3, 10 + 1e-9, 7, 8) });
+  EXPECT_EQ(edge.direction(0).length, 3.0);
+  EXPECT_EQ(edge.surface_parameter(0.0), Eigen::Vector2d(1, 2));
+  EXPECT_EQ(edge.surface_parameter(1.0), Eigen::Vector2d(2, 3));
+  EXPECT_EQ(edge.surface_parameter(2.0, Side::Left), Eigen::Vector2d(3, 4));
+  EXPECT_EQ(edge.surface_parameter(2.0, Side::Right), Eigen::Vector2d(3, 4));
+  EXPECT_EQ(edge.surface_parameter(3.0), Eigen::Vector2d(3, 10)) << "clamped into the domain";
+  EXPECT_EQ(edge.centre(), edge.surface().centre());
+  EXPECT_NEAR(edge.size(), std::hypot(2.0, 8.0), 1e-8);
+}
+
+TEST(EdgeCurve, RefusesWhatIsNoCurve)
+{
+  EXPECT_THROW(edge_on(shapes::square(), {}), footpoint::GeometryError);
+  EXPECT_THROW(edge_on(shapes::triangle(), { line(0, 0, 0, 1) }), footpoint::GeometryError);
+}
+
+TEST(EdgeCurve, AGapIsAnArcOfLengthOne)
+{
+  TrimArc gap = line(2, 2, 2.5, 2.25, 7.0, 7.0);
+  gap.closes_gap = true;
+  const EdgeCurve edge = edge_on(shapes::square(), { gap });
+  EXPECT_EQ(edge.direction(0).length, 1.0);
+  EXPECT_EQ(edge.surface_parameter(0.5), Eigen::Vector2d(2.25, 2.125));
+}
+
+// === Edges of faces
+
+namespace
+{
+
+using EdgePointers = std::vector<std::shared_ptr<const EdgeCurve>>;
+
+EdgePointers edges_of(const Surface& surface, const std::vector<footpoint::TrimLoop>& loops)
+{
+  const auto shared = std::make_shared<const Surface>(surface);
+  return edge_curves(shared, footpoint::TrimRegion(loops, surface, 0.0));
+}
+
+} // namespace
+
+TEST(EdgeCurve, AFaceHasAnEdgeForEachCurve)
+{
+  const EdgePointers edges = edges_of(
+    shapes::square(), { trims::rectangle(1, 1, 9, 8), trims::reversed(trims::circle(4, 4, 2)) });
+  ASSERT_EQ(edges.size(), 5u);
+  EXPECT_TRUE(edges[4]->direction(0).closed);
+  EXPECT_NEAR(edges[0]->size(), 8.0, 1e-14);
+  for (const auto& edge : edges)
+  {
+    EXPECT_EQ(edge->direction(0).breaks.size(), 2u);
+    expect_accurate(*edge, 1e-14);
+  }
+}
+
+TEST(EdgeCurve, EdgesThatAreOnePointAreLeftOut)
+{
+  // The whole domain of a sphere: both poles drop out, the seam remains twice.
+  const EdgePointers edges = edges_of(shapes::sphere(), { trims::rectangle(0, -90, 360, 90) });
+  ASSERT_EQ(edges.size(), 2u);
+  for (const auto& edge : edges)
+  {
+    EXPECT_EQ(edge->arcs().size(), 2u);
+    EXPECT_EQ(edge->direction(0).breaks.size(), 2u) << "a meridian has no kink";
+    expect_accurate(*edge, 1e-14);
+  }
+}
+
+TEST(EdgeCurve, CurvesThatLeaveTheDomainAreCut)
+{
+  // A circle over the side u = 0 of the domain: one half of it lies inside.
+  const EdgePointers edges = edges_of(shapes::square(), { trims::circle(0, 5, 2) });
+  double length = 0.0;
+  for (const auto& edge : edges)
+  {
+    for (const TrimArc& arc : edge->arcs())
+    {
+      EXPECT_TRUE(arc.inside_domain);
+    }
+    length += edge->direction(0).length;
+  }
+  EXPECT_DOUBLE_EQ(length, 2.0) << "two of the four arcs";
 }

@@ -19,6 +19,9 @@ constexpr int kHighestDegree = 11;
 /// Halvings of an arc at most; further ones would be below the rounding of its parameter.
 constexpr int kDeepest = 24;
 
+/// How often a higher degree is tried before halving.
+constexpr int kAttempts = 3;
+
 /// What evaluating S(c(t)) may add to a residual: some roundings in each of the samples.
 constexpr double kNoise = 8.0 * 0x1p-53;
 
@@ -64,6 +67,19 @@ const ChebyshevBasis& chebyshev_basis(int degree)
     return made;
   }();
   return all[degree];
+}
+
+/// The lowest degree, from `first` on, above which the terms of a series sum up to what is allowed;
+/// kHighestDegree where there is none.
+int lowest_degree(const Eigen::RowVectorXd& magnitudes, double allowed, int first)
+{
+  int degree = kHighestDegree;
+  double above = magnitudes.tail(magnitudes.size() - 1 - degree).sum();
+  while (degree > first && above + magnitudes[degree] <= allowed)
+  {
+    above += magnitudes[degree--];
+  }
+  return degree;
 }
 
 /// Control points, with the weight 1, of a Chebyshev series cut off above a degree. The sums have
@@ -157,19 +173,28 @@ void Approximation::run(const Homogeneous& arc, double lower, double upper, int 
   const Eigen::MatrixXd series = this->coefficients(points);
 
   // === The lowest degree that will do
+  const Eigen::RowVectorXd magnitudes = series.colwise().norm();
+  const double accepted = 0.5 * this->Tolerance;
+  double allowed = 0.5 * accepted;
+  double error = 0.0;
   int degree = 0;
-  double error = series.rightCols(this->Count - 1).colwise().norm().sum();
-  while (degree < kHighestDegree && (degree == 0 || error > 0.25 * this->Tolerance))
+  for (int attempt = 0; attempt < kAttempts && degree < kHighestDegree; ++attempt)
   {
-    error -= series.col(++degree).norm();
+    degree = lowest_degree(magnitudes, allowed, std::min(degree + 1, kHighestDegree));
+    error = magnitudes.tail(this->Count - 1 - degree).sum();
+    // Weights that vary let the bound be larger than the terms that are cut off.
+    const bool small = error <= allowed || depth == kDeepest;
+    if (this->Patch.rational && small)
+    {
+      error = this->rational_bound(arc, points, weights, series, degree);
+    }
+    if (error <= accepted)
+    {
+      break;
+    }
+    allowed = std::min(allowed, allowed * allowed / error);
   }
-  error = series.rightCols(this->Count - 1 - degree).colwise().norm().sum();
-  const bool last = depth == kDeepest;
-  if (this->Patch.rational && (last || error <= 0.25 * this->Tolerance))
-  {
-    error = this->rational_bound(arc, points, weights, series, degree);
-  }
-  if (!last && !(error <= 0.5 * this->Tolerance))
+  if (!(error <= accepted) && depth < kDeepest)
   {
     const std::array<Homogeneous, 2> halves = halve_arc(arc);
     const double half = 0.5 * (lower + upper);
