@@ -634,3 +634,57 @@ TEST(EdgeCurve, CurvesThatLeaveTheDomainAreCut)
   }
   EXPECT_DOUBLE_EQ(length, 2.0) << "two of the four arcs";
 }
+
+// === Real faces
+
+namespace
+{
+
+const char* const kRealFiles[] = { "analysissitus__nist_ctc_01.brep.jsonl",
+  "analysissitus__ubend2.stp.jsonl", "anurbs__point_on_surface_projection.ibra.jsonl",
+  "bladex__root.iges.jsonl", "bladex__tip.iges.jsonl", "dealii__goteborg.step.jsonl",
+  "dealii__wigley.iges.jsonl", "dealii__wing.iges.jsonl", "stepcode__dm1-id-214.stp.jsonl",
+  "tigl__D150WithGuides_wing.igs.jsonl", "tigl__nacelle.stp.jsonl" };
+
+} // namespace
+
+TEST(EdgeCurve, EdgesOfRealFaces)
+{
+  int edges = 0;
+  int arcs = 0;
+  int pieces = 0;
+  double worst = 0.0;
+  for (const char* const file : kRealFiles)
+  {
+    for (const shared::Face& face : shared::faces_of(file))
+    {
+      if (face.loops.empty())
+      {
+        continue;
+      }
+      SCOPED_TRACE(face.name);
+      const footpoint::TrimRegion region(face.loops, *face.surface, face.tolerance);
+      for (const auto& edge : edge_curves(face.surface, region))
+      {
+        const EdgePieces found = edge_pieces(*edge, 1e-13 * face.surface->size());
+        const double error = largest_error(*edge, found, 6);
+        EXPECT_LE(error, found.error);
+        EXPECT_LE(found.error, 1e-13 * face.surface->size());
+        expect_chain(*edge, found, 1e-14 * face.surface->size());
+        worst = std::max(worst, error / face.surface->size());
+        ++edges;
+        arcs += static_cast<int>(edge->arcs().size());
+        pieces += static_cast<int>(found.pieces.size());
+      }
+    }
+  }
+  if (edges == 0)
+  {
+    GTEST_SKIP() << "FOOTPOINT_SHARED_DATA names no folder with json/*.jsonl";
+  }
+  RecordProperty("edges", edges);
+  RecordProperty("pieces", pieces);
+  RecordProperty("error", std::to_string(worst));
+  EXPECT_GT(edges, 1000);
+  EXPECT_LE(pieces, 1.1 * arcs) << "nearly every arc of a real face is one piece";
+}

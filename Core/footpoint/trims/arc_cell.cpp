@@ -21,6 +21,22 @@ ArcCell arc_cell(const Surface& surface, const TrimArc& arc)
   return cell;
 }
 
+void keep_inside(const ArcCell& cell, TrimArc& arc)
+{
+  for (Eigen::Index j = 0; j < arc.control.cols(); ++j)
+  {
+    const double w = arc.control(2, j);
+    for (int i = 0; i < 2; ++i)
+    {
+      const double at = arc.control(i, j) / w;
+      if (at < cell.lower[i] || at > cell.upper[i])
+      {
+        arc.control(i, j) = w * (at < cell.lower[i] ? cell.lower[i] : cell.upper[i]);
+      }
+    }
+  }
+}
+
 Eigen::Matrix<double, 2, 4> arc_jet(const TrimArc& arc, double fraction, int order)
 {
   // de Casteljau; the last order + 1 levels hold the derivatives as differences.

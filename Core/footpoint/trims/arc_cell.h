@@ -19,6 +19,10 @@ struct ArcCell
 /// \param arc monotone and between knot lines; an arc along a knot line counts as above it
 ArcCell arc_cell(const Surface& surface, const TrimArc& arc);
 
+/// Moves the control points that are outside a cell onto its border: rounding, as arcs do not cross
+/// knot lines.
+void keep_inside(const ArcCell& cell, TrimArc& arc);
+
 /// (u, v) of an arc and its derivatives. \param fraction of the arc, in [0, 1]; derivatives are by
 /// it \param order highest derivative wanted, 0 … 3; columns above are 0
 Eigen::Matrix<double, 2, 4> arc_jet(const TrimArc& arc, double fraction, int order);

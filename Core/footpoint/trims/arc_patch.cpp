@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace footpoint
 {
@@ -18,39 +19,50 @@ using Box = std::array<std::array<double, 2>, 2>;
 /// An extent below this part of the domain is rounding: the arc is taken as constant there.
 constexpr double kConstant = 4.0 * 0x1p-52;
 
-/// The ranges of u and v over the arc's control points, clamped into the cell.
+/// The ranges of u and v over the arc's control points, within the cell.
 Box box_of(const TrimArc& arc, const ArcCell& cell)
 {
   Box box;
   for (int i = 0; i < 2; ++i)
   {
     const auto coordinates = arc.control.row(i).array() / arc.control.row(2).array();
-    box[i][0] = std::clamp(coordinates.minCoeff(), cell.lower[i], cell.upper[i]);
-    box[i][1] = std::clamp(coordinates.maxCoeff(), cell.lower[i], cell.upper[i]);
+    box[i] = { { coordinates.minCoeff(), coordinates.maxCoeff() } };
+    for (Eigen::Index j = 0; j < arc.control.cols(); ++j)
+    {
+      // Quotients are rounded; not to have the arc outside, the box grows by a rounding.
+      const double w = arc.control(2, j);
+      const double wu = arc.control(i, j);
+      const double infinity = std::numeric_limits<double>::infinity();
+      box[i][0] =
+        std::fma(-w, box[i][0], wu) < 0.0 ? std::nextafter(box[i][0], -infinity) : box[i][0];
+      box[i][1] =
+        std::fma(w, box[i][1], -wu) < 0.0 ? std::nextafter(box[i][1], infinity) : box[i][1];
+    }
+    box[i][0] = std::clamp(box[i][0], cell.lower[i], cell.upper[i]);
+    box[i][1] = std::clamp(box[i][1], cell.lower[i], cell.upper[i]);
   }
   return box;
 }
 
 /// Rows b and a: u = u0 b / (a + b) + u1 a / (a + b), each to a rounding of its own.
-void set_arc(const TrimArc& from, int direction, const std::array<double, 2>& box, Homogeneous& arc)
+/// \return by how much the arc was moved into the box, as a part of it
+double set_arc(
+  const TrimArc& from, int direction, const std::array<double, 2>& box, Homogeneous& arc)
 {
   const double length = box[1] - box[0];
+  double moved = 0.0;
   for (Eigen::Index j = 0; j < arc.cols(); ++j)
   {
     const double w = from.control(2, j);
     const double wu = from.control(direction, j);
-    if (length > 0.0)
-    {
-      // Clamped, an arc that rounding took out of the cell stays within.
-      arc(2 * direction, j) = std::max(std::fma(w, box[1], -wu) / length, 0.0);
-      arc(2 * direction + 1, j) = std::max(std::fma(-w, box[0], wu) / length, 0.0);
-    }
-    else
-    {
-      arc(2 * direction, j) = w;
-      arc(2 * direction + 1, j) = 0.0;
-    }
+    const double before = length > 0.0 ? std::fma(w, box[1], -wu) / length : w;
+    const double after = length > 0.0 ? std::fma(-w, box[0], wu) / length : 0.0;
+    // At a border of the cell the box cannot grow.
+    moved = std::max({ moved, -before / w, -after / w });
+    arc(2 * direction, j) = std::max(before, 0.0);
+    arc(2 * direction + 1, j) = std::max(after, 0.0);
   }
+  return moved;
 }
 
 Homogeneous net_of_span(const Surface& surface, const std::array<BezierSpan, 2>& spans)
@@ -225,7 +237,8 @@ ArcPatch::ArcPatch(const Surface& surface, const TrimArc& from, const ArcCell& c
   this->arc.resize(4, from.control.cols());
   for (int i = 0; i < 2; ++i)
   {
-    set_arc(from, i, box[i], this->arc);
+    const double moved = set_arc(from, i, box[i], this->arc);
+    this->change += moved > 0.0 ? 2.0 * moved * speed_bound(*this, i) : 0.0;
     const double extent = box[i][1] - box[i][0];
     if (extent <= kConstant * surface.direction(i).length)
     {

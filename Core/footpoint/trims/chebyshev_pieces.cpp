@@ -13,6 +13,9 @@ namespace
 
 using Homogeneous = ArcPatch::Homogeneous;
 
+/// (x, y, z, w) at the nodes, one a column; or their Chebyshev coefficients.
+using Samples = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+
 /// Highest degree of a piece.
 constexpr int kHighestDegree = 11;
 
@@ -84,7 +87,7 @@ int lowest_degree(const Eigen::RowVectorXd& magnitudes, double allowed, int firs
 
 /// Control points, with the weight 1, of a Chebyshev series cut off above a degree. The sums have
 /// large terms of both signs, which is why they are taken in long double.
-Homogeneous bernstein_form(const Eigen::MatrixXd& series, int degree)
+Homogeneous bernstein_form(const Samples& series, int degree)
 {
   const ChebyshevBasis& basis = chebyshev_basis(degree);
   Homogeneous control = Homogeneous::Ones(4, degree + 1);
@@ -106,8 +109,10 @@ Homogeneous bernstein_form(const Eigen::MatrixXd& series, int degree)
 class Approximation
 {
 public:
-  Approximation(const ArcPatch& patch, double tolerance, std::vector<BezierPiece<1>>& pieces)
+  Approximation(const ArcPatch& patch, const std::array<double, 2>& range, double tolerance,
+    std::vector<BezierPiece<1>>& pieces)
     : Patch(patch)
+    , Range(range)
     , Tolerance(tolerance)
     , Count(patch.composed_degree() + kHighestDegree + 1)
     , Cosines(4 * Count)
@@ -121,8 +126,8 @@ public:
     this->Tolerance = std::max(this->Tolerance, 4.0 * noise);
   }
 
-  /// \param lower, upper the part of the edge
-  void run(const Homogeneous& arc, double lower, double upper, int depth);
+  /// \param arc the part [from, to] of the whole arc, [0, 1]
+  void run(const Homogeneous& arc, double from, double to, int depth);
 
   double error() const { return this->Error; }
 
@@ -130,26 +135,29 @@ private:
   /// cos(k (2j + 1) π / (2 Count)): T_k at node j.
   double cosine(int k, int j) const { return this->Cosines[k * (2 * j + 1) % (4 * this->Count)]; }
 
-  /// Chebyshev coefficients of the polynomial with these values (columns) at the nodes.
-  Eigen::MatrixXd coefficients(const Eigen::MatrixXd& values) const
-  {
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(values.rows(), this->Count);
-    for (int k = 0; k < this->Count; ++k)
-    {
-      for (int j = 0; j < this->Count; ++j)
-      {
-        result.col(k) += this->cosine(k, j) * values.col(j);
-      }
-      result.col(k) *= (k == 0 ? 1.0 : 2.0) / this->Count;
-    }
-    return result;
-  }
+  /// Chebyshev coefficients of the polynomial with these values at the nodes.
+  Samples coefficients(const Samples& values) const;
 
   /// Bound of |S(c(t)) − q(t)|, q being the series cut off above a degree.
-  double rational_bound(const Homogeneous& arc, const Eigen::MatrixXd& points,
-    const Eigen::RowVectorXd& weights, const Eigen::MatrixXd& series, int degree) const;
+  double rational_bound(
+    const Homogeneous& arc, const Samples& values, const Samples& series, int degree) const;
+
+  /// The edge's parameter at a fraction of the arc.
+  double parameter(double fraction) const
+  {
+    return fraction == 1.0 ? this->Range[1]
+                           : this->Range[0] + fraction * (this->Range[1] - this->Range[0]);
+  }
+  /// How far a parameter is from that of a fraction.
+  double parameter_error(double fraction, double parameter) const
+  {
+    const long double start = this->Range[0];
+    const long double exact = start + fraction * (this->Range[1] - start);
+    return static_cast<double>(std::abs(exact - parameter) + 0x1p-63L * std::abs(exact));
+  }
 
   const ArcPatch& Patch;
+  std::array<double, 2> Range;
   double Tolerance;
   int Count; ///< of nodes
   std::vector<double> Cosines;
@@ -157,23 +165,52 @@ private:
   double Error = 0.0;
 };
 
-void Approximation::run(const Homogeneous& arc, double lower, double upper, int depth)
+Samples Approximation::coefficients(const Samples& values) const
+{
+  // Even and odd T_k have equal and opposite values at opposite nodes.
+  const int half = this->Count / 2;
+  std::array<Samples, 2> folded{ { Samples(4, half), Samples(4, half) } };
+  for (int j = 0; j < half; ++j)
+  {
+    folded[0].col(j) = values.col(j) + values.col(this->Count - 1 - j);
+    folded[1].col(j) = values.col(j) - values.col(this->Count - 1 - j);
+  }
+  Samples result(4, this->Count);
+  const int period = 4 * this->Count;
+  for (int k = 0; k < this->Count; ++k)
+  {
+    const Samples& of = folded[k % 2];
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    if (this->Count % 2 == 1)
+    {
+      sum = this->cosine(k, half) * values.col(half);
+    }
+    for (int j = 0, angle = k; j < half; ++j)
+    {
+      sum += this->Cosines[angle] * of.col(j);
+      angle += 2 * k;
+      angle -= angle >= period ? period : 0;
+    }
+    result.col(k) = (k == 0 ? 1.0 : 2.0) / this->Count * sum;
+  }
+  return result;
+}
+
+void Approximation::run(const Homogeneous& arc, double from, double to, int depth)
 {
   // === Samples at the nodes, relative to the middle
   const auto point = [](const Eigen::Vector4d& sum) { return Vector3(sum.head<3>() / sum[3]); };
   const Vector3 middle = point(this->Patch.at(arc, 0.5));
-  Eigen::MatrixXd points(3, this->Count);
-  Eigen::RowVectorXd weights(this->Count);
+  Samples values(4, this->Count);
   for (int j = 0; j < this->Count; ++j)
   {
     const Eigen::Vector4d sum = this->Patch.at(arc, 0.5 + 0.5 * this->cosine(1, j));
-    points.col(j) = point(sum) - middle;
-    weights[j] = sum[3];
+    values.col(j) << point(sum) - middle, sum[3];
   }
-  const Eigen::MatrixXd series = this->coefficients(points);
+  const Samples series = this->coefficients(values);
 
   // === The lowest degree that will do
-  const Eigen::RowVectorXd magnitudes = series.colwise().norm();
+  const Eigen::RowVectorXd magnitudes = series.topRows<3>().colwise().norm();
   const double accepted = 0.5 * this->Tolerance;
   double allowed = 0.5 * accepted;
   double error = 0.0;
@@ -186,7 +223,7 @@ void Approximation::run(const Homogeneous& arc, double lower, double upper, int 
     const bool small = error <= allowed || depth == kDeepest;
     if (this->Patch.rational && small)
     {
-      error = this->rational_bound(arc, points, weights, series, degree);
+      error = this->rational_bound(arc, values, series, degree);
     }
     if (error <= accepted)
     {
@@ -197,16 +234,17 @@ void Approximation::run(const Homogeneous& arc, double lower, double upper, int 
   if (!(error <= accepted) && depth < kDeepest)
   {
     const std::array<Homogeneous, 2> halves = halve_arc(arc);
-    const double half = 0.5 * (lower + upper);
-    this->run(halves[0], lower, half, depth + 1);
-    this->run(halves[1], half, upper, depth + 1);
+    const double half = 0.5 * (from + to);
+    this->run(halves[0], from, half, depth + 1);
+    this->run(halves[1], half, to, depth + 1);
     return;
   }
 
   // === The piece, which ends where the arc does
   const Vector3 start = point(this->Patch.at(arc, 0.0));
   const Vector3 end = point(this->Patch.at(arc, 1.0));
-  BezierPiece<1> piece{ { { degree } }, Parameter<1>(lower), Parameter<1>(upper),
+  const std::array<double, 2> ends{ this->parameter(from), this->parameter(to) };
+  BezierPiece<1> piece{ { { degree } }, Parameter<1>(ends[0]), Parameter<1>(ends[1]),
     bernstein_form(series, degree) };
   piece.control.topRows<3>().colwise() += middle;
   const Vector3 start_off = start - piece.control.col(0).head<3>();
@@ -220,36 +258,36 @@ void Approximation::run(const Homogeneous& arc, double lower, double upper, int 
   piece.control.col(degree).head<3>() = end;
   error += std::max(start_off.norm(), end_off.norm());
 
-  // The ends of halves are rounded parameters.
+  // The parameters of its ends are rounded.
   const Homogeneous steps = piece.control.rightCols(degree) - piece.control.leftCols(degree);
-  const double speed = degree * steps.colwise().norm().maxCoeff() / (upper - lower);
-  error += depth > 0 ? speed * 0x1p-52 * upper : 0.0;
+  const double speed = degree * steps.colwise().norm().maxCoeff() / (ends[1] - ends[0]);
+  error +=
+    speed * std::max(this->parameter_error(from, ends[0]), this->parameter_error(to, ends[1]));
   this->Error = std::max(this->Error, error);
   this->Pieces.push_back(std::move(piece));
 }
 
-double Approximation::rational_bound(const Homogeneous& arc, const Eigen::MatrixXd& points,
-  const Eigen::RowVectorXd& weights, const Eigen::MatrixXd& series, int degree) const
+double Approximation::rational_bound(
+  const Homogeneous& arc, const Samples& values, const Samples& series, int degree) const
 {
   // w from below by its own series, or where that says nothing by its factors.
-  const Eigen::MatrixXd of_weights = this->coefficients(weights);
-  const double by_series =
-    of_weights(0, 0) - of_weights.rightCols(this->Count - 1).cwiseAbs().sum();
+  const double by_series = series(3, 0) - series.row(3).tail(this->Count - 1).cwiseAbs().sum();
   const double by_factors = this->Patch.control.row(3).minCoeff() *
     std::pow((arc.row(0) + arc.row(1)).minCoeff(), this->Patch.degree[0]) *
     std::pow((arc.row(2) + arc.row(3)).minCoeff(), this->Patch.degree[1]);
 
-  Eigen::MatrixXd residual(3, this->Count);
+  Samples residual(4, this->Count);
   for (int j = 0; j < this->Count; ++j)
   {
-    Vector3 q = series.col(0);
+    Eigen::Vector4d q = series.col(0);
     for (int k = 1; k <= degree; ++k)
     {
       q += this->cosine(k, j) * series.col(k);
     }
-    residual.col(j) = weights[j] * (points.col(j) - q);
+    residual.col(j) = values(3, j) * (values.col(j) - q);
   }
-  return this->coefficients(residual).colwise().norm().sum() / std::max(by_series, by_factors);
+  return this->coefficients(residual).topRows<3>().colwise().norm().sum() /
+    std::max(by_series, by_factors);
 }
 
 } // namespace
@@ -257,8 +295,8 @@ double Approximation::rational_bound(const Homogeneous& arc, const Eigen::Matrix
 double append_chebyshev_pieces(const ArcPatch& patch, double start, double end, double tolerance,
   std::vector<BezierPiece<1>>& pieces)
 {
-  Approximation approximation(patch, tolerance, pieces);
-  approximation.run(patch.arc, start, end, 0);
+  Approximation approximation(patch, { { start, end } }, tolerance, pieces);
+  approximation.run(patch.arc, 0.0, 1.0, 0);
   return approximation.error();
 }
 

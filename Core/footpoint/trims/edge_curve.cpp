@@ -192,9 +192,10 @@ EdgeCurve::EdgeCurve(std::shared_ptr<const Surface> surface, std::vector<TrimArc
   }
   Direction& direction = this->Directions[0];
   direction.spans = { 0.0 };
-  for (const TrimArc& arc : this->Arcs)
+  for (TrimArc& arc : this->Arcs)
   {
     this->Cells.push_back(arc_cell(*this->Base, arc));
+    keep_inside(this->Cells.back(), arc);
     direction.spans.push_back(direction.spans.back() + length_of(arc));
   }
   direction.length = direction.spans.back();

@@ -29,6 +29,7 @@ public:
   Parameter<2> surface_parameter(double t, Side side = Side::Right) const;
 
   const Surface& surface() const { return *this->Base; }
+  /// As given, but that control points which are outside by a rounding lie on the border.
   const std::vector<TrimArc>& arcs() const { return this->Arcs; }
   /// Where each arc lies between the knot lines of the surface.
   const std::vector<ArcCell>& cells() const { return this->Cells; }

@@ -16,6 +16,9 @@ constexpr int kExactDegree = 9;
 /// Part of the tolerance that simplifications may use up.
 constexpr double kSimplified = 0.125;
 
+/// Part of the tolerance that interpolation has at least, however much rounding has used up.
+constexpr double kLeft = 0.25;
+
 /// Exact at any degree: affine images of the arc, and straight arcs along u or v.
 bool is_exact(const ArcPatch& patch)
 {
@@ -50,8 +53,8 @@ EdgePieces edge_pieces(const EdgeCurve& edge, double tolerance)
     }
     else
     {
-      error += append_chebyshev_pieces(
-        patch, spans[k], spans[k + 1], tolerance - kSimplified * tolerance, result.pieces);
+      error += append_chebyshev_pieces(patch, spans[k], spans[k + 1],
+        std::max(tolerance - error, kLeft * tolerance), result.pieces);
     }
     result.error = std::max(result.error, error);
   }
