@@ -562,6 +562,22 @@ TEST(EdgeCurve, TellsWhereOnTheSurfaceItIs)
   EXPECT_NEAR(edge.size(), std::hypot(2.0, 8.0), 1e-8);
 }
 
+TEST(EdgeCurve, AnArcShorterThanTheRoundingOfItsParameterIsKept)
+{
+  const EdgeCurve edge = edge_on(shapes::square(),
+    { line(1, 1, 2, 1, 0, 1), line(2, 1, 3, 2, 1, 1 + 1e-17), line(3, 2, 4, 4, 1, 2) });
+  ASSERT_EQ(edge.direction(0).spans.size(), 4u);
+  EXPECT_LT(edge.direction(0).spans[1], edge.direction(0).spans[2]);
+  TrimArc short_arc = line(2, 1, 3, 2);
+  short_arc.range = { { 4e10, 4e10 + 1e-5 } }; // 1.3 roundings
+  const EdgeCurve far =
+    edge_on(shapes::square(), { line(1, 1, 2, 1, 0, 4e10), short_arc, line(3, 2, 4, 4, 0, 1) });
+  const std::vector<double>& spans = far.direction(0).spans;
+  EXPECT_LT(spans[1], spans[2]);
+  EXPECT_EQ(far.surface_parameter(spans[1]), Eigen::Vector2d(2, 1));
+  EXPECT_EQ(far.surface_parameter(spans[2]), Eigen::Vector2d(3, 2));
+}
+
 TEST(EdgeCurve, RefusesWhatIsNoCurve)
 {
   EXPECT_THROW(edge_on(shapes::square(), {}), footpoint::GeometryError);

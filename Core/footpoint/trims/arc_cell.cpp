@@ -21,6 +21,16 @@ ArcCell arc_cell(const Surface& surface, const TrimArc& arc)
   return cell;
 }
 
+CellPlace place_in(const ArcCell& cell, const Parameter<2>& t)
+{
+  CellPlace place{ t.cwiseMax(cell.lower).cwiseMin(cell.upper), {} };
+  for (int i = 0; i < 2; ++i)
+  {
+    place.sides[i] = place.t[i] == cell.upper[i] ? Side::Left : Side::Right;
+  }
+  return place;
+}
+
 void keep_inside(const ArcCell& cell, TrimArc& arc)
 {
   for (Eigen::Index j = 0; j < arc.control.cols(); ++j)

@@ -19,6 +19,15 @@ struct ArcCell
 /// \param arc monotone and between knot lines; an arc along a knot line counts as above it
 ArcCell arc_cell(const Surface& surface, const TrimArc& arc);
 
+/// The point of the cell nearest to a place that is outside by a rounding at most, and the sides
+/// from which the cell's own piece of the surface is evaluated there.
+struct CellPlace
+{
+  Parameter<2> t;
+  Sides<2> sides;
+};
+CellPlace place_in(const ArcCell& cell, const Parameter<2>& t);
+
 /// Moves the control points that are outside a cell onto its border: rounding, as arcs do not cross
 /// knot lines.
 void keep_inside(const ArcCell& cell, TrimArc& arc);

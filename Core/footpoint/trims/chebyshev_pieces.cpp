@@ -16,7 +16,8 @@ using Homogeneous = ArcPatch::Homogeneous;
 /// (x, y, z, w) at the nodes, one a column; or their Chebyshev coefficients.
 using Samples = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// Highest degree of a piece.
+/// Highest degree of a piece. Of random edges, degree 7 needs three times the pieces and twice the
+/// memory, degree 15 half the pieces, which cost the search twice the work each.
 constexpr int kHighestDegree = 11;
 
 /// Halvings of an arc at most; further ones would be below the rounding of its parameter.

@@ -5,6 +5,8 @@
 #include "footpoint/trims/trim_plane.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace footpoint
@@ -112,7 +114,8 @@ bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs)
     for (int i = 0; i <= samples; ++i)
     {
       const Parameter<2> t = arc_jet(arcs[k], static_cast<double>(i) / samples, 0).col(0);
-      const Vector3 point = surface.point(t.cwiseMax(cell.lower).cwiseMin(cell.upper));
+      const CellPlace place = place_in(cell, t);
+      const Vector3 point = surface.jet(place.t, place.sides, 0).point;
       first = k == 0 && i == 0 ? point : first;
       if ((point - first).norm() > tolerance)
       {
@@ -196,7 +199,10 @@ EdgeCurve::EdgeCurve(std::shared_ptr<const Surface> surface, std::vector<TrimArc
   {
     this->Cells.push_back(arc_cell(*this->Base, arc));
     keep_inside(this->Cells.back(), arc);
-    direction.spans.push_back(direction.spans.back() + length_of(arc));
+    // Also an arc that is shorter than the rounding of t has a span of its own.
+    const double start = direction.spans.back();
+    const double next = std::nextafter(start, std::numeric_limits<double>::infinity());
+    direction.spans.push_back(std::max(start + length_of(arc), next));
   }
   direction.length = direction.spans.back();
   direction.breaks = { { 0.0, false }, { direction.length, false } };
@@ -248,28 +254,28 @@ std::size_t EdgeCurve::arc_at(double t, Side side) const
   return std::min(static_cast<std::size_t>(arc), this->Arcs.size() - 1);
 }
 
+double EdgeCurve::fraction(double t, std::size_t arc) const
+{
+  const double start = this->Directions[0].spans[arc];
+  const double end = this->Directions[0].spans[arc + 1];
+  return std::clamp((t - start) / (end - start), 0.0, 1.0);
+}
+
 Jet<1> EdgeCurve::jet(const Parameter<1>& t, const Sides<1>& sides, int order) const
 {
   order = std::clamp(order, 0, 3);
   const std::size_t arc = this->arc_at(t[0], sides[0]);
   const ArcCell& cell = this->Cells[arc];
-  const double start = this->Directions[0].spans[arc];
-  const double length = this->Directions[0].spans[arc + 1] - start;
-  const double fraction = std::clamp((t[0] - start) / length, 0.0, 1.0);
-  Eigen::Matrix<double, 2, 4> c = arc_jet(this->Arcs[arc], fraction, order);
+  const double length = this->Directions[0].spans[arc + 1] - this->Directions[0].spans[arc];
+  Eigen::Matrix<double, 2, 4> c = arc_jet(this->Arcs[arc], this->fraction(t[0], arc), order);
   for (int k = 1; k <= order; ++k)
   {
     c.rightCols(4 - k) /= length;
   }
 
   // The arc is on one side of all knot lines, its rounding must not be on the other.
-  const Parameter<2> place = c.col(0).cwiseMax(cell.lower).cwiseMin(cell.upper);
-  Sides<2> on;
-  for (int i = 0; i < 2; ++i)
-  {
-    on[i] = place[i] == cell.upper[i] ? Side::Left : Side::Right;
-  }
-  const Jet<2> surface = this->Base->jet(place, on, std::min(order, 2));
+  const CellPlace place = place_in(cell, c.col(0));
+  const Jet<2> surface = this->Base->jet(place.t, place.sides, std::min(order, 2));
 
   // === Chain rule
   Jet<1> jet;
@@ -285,7 +291,7 @@ Jet<1> EdgeCurve::jet(const Parameter<1>& t, const Sides<1>& sides, int order) c
   if (order >= 3)
   {
     jet.third = surface.first * c.col(3) + 3.0 * second_along(surface, c.col(1), c.col(2)) +
-      third_along(*this->Base, cell.span, place, c.col(1));
+      third_along(*this->Base, cell.span, place.t, c.col(1));
   }
   return jet;
 }
@@ -293,11 +299,8 @@ Jet<1> EdgeCurve::jet(const Parameter<1>& t, const Sides<1>& sides, int order) c
 Parameter<2> EdgeCurve::surface_parameter(double t, Side side) const
 {
   const std::size_t arc = this->arc_at(t, side);
-  const double start = this->Directions[0].spans[arc];
-  const double length = this->Directions[0].spans[arc + 1] - start;
-  const double fraction = std::clamp((t - start) / length, 0.0, 1.0);
-  const Parameter<2> place = arc_jet(this->Arcs[arc], fraction, 0).col(0);
-  return place.cwiseMax(this->Cells[arc].lower).cwiseMin(this->Cells[arc].upper);
+  const Parameter<2> place = arc_jet(this->Arcs[arc], this->fraction(t, arc), 0).col(0);
+  return place_in(this->Cells[arc], place).t;
 }
 
 std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(

@@ -37,6 +37,8 @@ public:
 private:
   /// The arc that holds t; where two meet the one on the given side.
   std::size_t arc_at(double t, Side side) const;
+  /// t as a fraction of an arc, in [0, 1].
+  double fraction(double t, std::size_t arc) const;
   /// Size from samples; breaks where arcs meet with a kink.
   void measure();
 

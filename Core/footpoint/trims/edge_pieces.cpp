@@ -10,8 +10,8 @@ namespace footpoint
 namespace
 {
 
-/// Up to this degree the exact S(c(t)) is taken; above, pieces of lower degree are smaller.
-constexpr int kExactDegree = 9;
+/// Up to this degree the exact S(c(t)) is taken; above, pieces of lower degree take less memory.
+constexpr int kExactDegree = 12;
 
 /// Part of the tolerance that simplifications may use up.
 constexpr double kSimplified = 0.125;
