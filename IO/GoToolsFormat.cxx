@@ -6,10 +6,13 @@
 
 #include "footpoint/common/errors.h"
 #include "footpoint/splines/knot_vector.h"
+#include "footpoint/splines/validation.h"
 
+#include <array>
+#include <charconv>
 #include <climits>
+#include <limits>
 #include <map>
-#include <optional>
 
 namespace footpoint::files
 {
@@ -163,7 +166,62 @@ Spline read_spline(TextScanner& scanner, int dimension)
   return spline;
 }
 
+/// A product of two doubles, to the digits that give it back when divided by one of them.
+std::string to_long_text(long double number)
+{
+  std::array<char, 64> digits;
+  const auto [end, problem] = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+    std::chars_format::general, std::numeric_limits<long double>::max_digits10);
+  return problem == std::errc() ? std::string(digits.data(), end) : std::string();
+}
+
+void write_spline(std::string& text, const Spline& spline)
+{
+  const bool rational = !spline.weights.empty();
+  text += (spline.dimension == 1 ? "100" : "200") + std::string(" 1 0 0\n3 ") +
+    (rational ? "1\n" : "0\n");
+  for (int direction = 0; direction < spline.dimension; ++direction)
+  {
+    text += std::to_string(spline.size(direction)) + " " +
+      std::to_string(spline.degree[direction] + 1) + "\n";
+    for (const double knot : spline.knots[direction])
+    {
+      text += to_text(knot) + " ";
+    }
+    text.back() = '\n';
+  }
+  for (std::size_t i = 0; i < spline.number_of_points(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double coordinate = spline.points[3 * i + k];
+      text += (k > 0 ? " " : "") +
+        (rational ? to_long_text(static_cast<long double>(coordinate) * spline.weights[i])
+                  : to_text(coordinate));
+    }
+    text += rational ? " " + to_text(spline.weights[i]) + "\n" : "\n";
+  }
+  text += '\n';
+}
+
 } // namespace
+
+std::string write_go_tools(const std::vector<Spline>& splines, std::vector<std::string>& warnings)
+{
+  std::string text;
+  bool named = false;
+  for (std::size_t i = 0; i < splines.size(); ++i)
+  {
+    refuse_face_data(splines[i], i, "GoTools");
+    named = named || !splines[i].name.empty();
+    write_spline(text, splines[i]);
+  }
+  if (named)
+  {
+    warnings.push_back("names are left out, which the format GoTools does not have");
+  }
+  return text;
+}
 
 SplineFile read_go_tools(std::string_view text)
 {

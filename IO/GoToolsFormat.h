@@ -12,13 +12,20 @@
 
 #include "SplineFile.h"
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace footpoint::files
 {
 
 /// Objects of other classes are left out with a warning. \throw FileError
 SplineFile read_go_tools(std::string_view text);
+
+/// Homogeneous coordinates are written with so many digits that those of the control points come
+/// back to the bit. \param warnings gains a sentence where names are left out \throw FileError for
+/// loops and a reversed surface
+std::string write_go_tools(const std::vector<Spline>& splines, std::vector<std::string>& warnings);
 
 } // namespace footpoint::files
 

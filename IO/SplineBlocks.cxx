@@ -3,7 +3,6 @@
 
 #include "FieldArrays.h"
 
-#include "footpoint/splines/curve.h"
 #include "footpoint/splines/surface.h"
 
 #include "vtkCompositeDataSet.h"
@@ -13,6 +12,8 @@
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
+
+#include <algorithm>
 
 namespace footpoint::files
 {
@@ -30,24 +31,99 @@ void append(vtkMultiBlockDataSet* blocks, vtkDataObject* data, const std::string
   }
 }
 
+Points points_of(const Spline& spline)
+{
+  return Eigen::Map<const Points>(
+    spline.points.data(), 3, static_cast<Eigen::Index>(spline.number_of_points()));
+}
+
+Eigen::VectorXd weights_of(const Spline& spline)
+{
+  return Eigen::Map<const Eigen::VectorXd>(
+    spline.weights.data(), static_cast<Eigen::Index>(spline.weights.size()));
+}
+
 } // namespace
+
+Curve make_curve(const Spline& spline)
+{
+  return Curve(
+    KnotVector(spline.degree[0], spline.knots[0], "KnotsU"), points_of(spline), weights_of(spline));
+}
 
 void check(const Spline& spline)
 {
-  const Points points = Eigen::Map<const Points>(
-    spline.points.data(), 3, static_cast<Eigen::Index>(spline.number_of_points()));
-  const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(
-    spline.weights.data(), static_cast<Eigen::Index>(spline.weights.size()));
-  KnotVector knots_u(spline.degree[0], spline.knots[0], "KnotsU");
   if (spline.dimension == 1)
   {
-    Curve(std::move(knots_u), points, weights);
+    make_curve(spline);
   }
   else
   {
-    Surface(
-      std::move(knots_u), KnotVector(spline.degree[1], spline.knots[1], "KnotsV"), points, weights);
+    Surface(KnotVector(spline.degree[0], spline.knots[0], "KnotsU"),
+      KnotVector(spline.degree[1], spline.knots[1], "KnotsV"), points_of(spline),
+      weights_of(spline));
   }
+}
+
+void reorder(Spline& surface, std::size_t fastest, std::size_t slowest)
+{
+  const Spline given = surface;
+  for (std::size_t i = 0; i < fastest; ++i)
+  {
+    for (std::size_t j = 0; j < slowest; ++j)
+    {
+      const std::size_t from = i + fastest * j;
+      const std::size_t to = j + slowest * i;
+      std::copy_n(&given.points[3 * from], 3, &surface.points[3 * to]);
+      if (!given.weights.empty())
+      {
+        surface.weights[to] = given.weights[from];
+      }
+    }
+  }
+}
+
+void refuse_face_data(const Spline& spline, std::size_t index, const std::string& format)
+{
+  const std::string which = "spline " + std::to_string(index) + ": ";
+  if (!spline.loops.empty())
+  {
+    throw FileError(which + "it is a trimmed face, which the format " + format + " does not have");
+  }
+  if (spline.reversed)
+  {
+    throw FileError(which + "its Orientation is -1, which the format " + format + " does not have");
+  }
+}
+
+std::string checked_name(const Spline& spline, std::size_t index)
+{
+  int more = 0; // bytes of the present character
+  bool good = true;
+  for (const char c : spline.name)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (more > 0)
+    {
+      good = good && (byte & 0xc0) == 0x80;
+      --more;
+    }
+    else if (byte < 0x80)
+    {
+      good = good && (byte >= 0x20 || c == '\t' || c == '\n' || c == '\r');
+    }
+    else
+    {
+      good = good && byte >= 0xc2 && byte < 0xf5;
+      more = byte < 0xe0 ? 1 : (byte < 0xf0 ? 2 : 3);
+    }
+  }
+  if (!good || more > 0)
+  {
+    throw FileError("spline " + std::to_string(index) +
+      ": its name is no text that can be written (control characters, or no UTF-8)");
+  }
+  return spline.name;
 }
 
 vtkSmartPointer<vtkStructuredGrid> make_net(const Spline& spline)

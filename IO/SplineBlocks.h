@@ -6,6 +6,8 @@
 
 #include "SplineFile.h"
 
+#include "footpoint/splines/curve.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -17,8 +19,22 @@ class vtkStructuredGrid;
 namespace footpoint::files
 {
 
+/// A curve for the core. \throw GeometryError naming the array, the index and the value
+Curve make_curve(const Spline& spline);
+
 /// Refuses what the core refuses. \throw GeometryError naming the array, the index and the value
 void check(const Spline& spline);
+
+/// Puts control points and weights, rows of `fastest` numbers, into columns: from v fastest to u
+/// fastest, or back.
+void reorder(Spline& surface, std::size_t fastest, std::size_t slowest);
+
+/// \throw FileError where the spline has loops or is reversed, for formats that have neither
+void refuse_face_data(const Spline& spline, std::size_t index, const std::string& format);
+
+/// The name of a spline. \throw FileError where it is no UTF-8 or has control characters, so that a
+/// text file cannot hold it
+std::string checked_name(const Spline& spline, std::size_t index);
 
 /// The control net of a surface or curve without its loops: see vtkPointInversionFilter. Every
 /// number is that of the spline, to the bit.

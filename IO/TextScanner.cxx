@@ -113,10 +113,10 @@ std::string_view TextScanner::rest_of_line()
 void TextScanner::refuse(const std::string& what, std::string_view found) const
 {
   throw FileError("line " + std::to_string(this->Line) + ": expected " + what + ", found " +
-    (found.empty() ? "the end" : quoted(found)));
+    (found.empty() ? "the end" : in_quotes(found)));
 }
 
-std::string quoted(std::string_view word)
+std::string in_quotes(std::string_view word)
 {
   constexpr std::size_t kLongest = 40; // enough for any number
   std::string text = "'";

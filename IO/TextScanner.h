@@ -47,7 +47,7 @@ private:
 };
 
 /// A word of a file for a message: cut where it is long, without control characters.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 } // namespace footpoint::files
 

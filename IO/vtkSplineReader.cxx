@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSplineReader.h"
 
-#include "GoToolsFormat.h"
 #include "SplineBlocks.h"
+#include "SplineFormats.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -10,52 +10,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "vtksys/FStream.hxx"
-#include "vtksys/SystemTools.hxx"
-
-#include <sstream>
-
 using namespace footpoint::files;
 
 vtkStandardNewMacro(vtkSplineReader);
-
-namespace
-{
-
-/// The whole content of a file. \throw FileError
-std::string read_bytes(const std::string& path)
-{
-  if (vtksys::SystemTools::FileIsDirectory(path))
-  {
-    throw FileError("it is a folder");
-  }
-  vtksys::ifstream stream(path.c_str(), std::ios::binary);
-  std::ostringstream bytes;
-  if (!stream || !(stream.peek() == EOF || bytes << stream.rdbuf()))
-  {
-    throw FileError("it cannot be opened and read");
-  }
-  return bytes.str();
-}
-
-SplineFile read_file(const std::string& path)
-{
-  const std::string bytes = read_bytes(path);
-  const std::string extension =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
-  if (extension != ".g2")
-  {
-    throw FileError("the extension '" + extension + "' is that of no format; .g2 is known");
-  }
-  SplineFile file = read_go_tools(bytes);
-  if (file.splines.empty() && file.warnings.empty())
-  {
-    throw FileError("it has no spline");
-  }
-  return file;
-}
-
-} // namespace
 
 vtkSplineReader::vtkSplineReader()
 {
@@ -65,6 +22,23 @@ vtkSplineReader::vtkSplineReader()
 vtkSplineReader::~vtkSplineReader()
 {
   this->SetFileName(nullptr);
+}
+
+const char* vtkSplineReader::GetFormatAsString() const
+{
+  return format_name(static_cast<footpoint::files::Format>(this->Format));
+}
+
+int vtkSplineReader::CanReadFile(const char* path)
+{
+  try
+  {
+    return path && !read_spline_file(path, footpoint::files::Format::Auto).splines.empty() ? 1 : 0;
+  }
+  catch (const FileError&)
+  {
+    return 0;
+  }
 }
 
 int vtkSplineReader::RequestData(
@@ -84,7 +58,8 @@ int vtkSplineReader::RequestData(
   }
   try
   {
-    const SplineFile file = read_file(this->FileName);
+    const SplineFile file =
+      read_spline_file(this->FileName, static_cast<footpoint::files::Format>(this->Format));
     for (const std::string& warning : file.warnings)
     {
       vtkWarningMacro(<< this->FileName << ": " << warning);
@@ -106,4 +81,5 @@ void vtkSplineReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Format: " << this->GetFormatAsString() << "\n";
 }

@@ -2,11 +2,12 @@
 # the ParaView plugin.
 
 # --- VTK: either flavour defines the VTK:: targets and the vtk_module_* functions. Always with
-# COMPONENTS: without, every optional third party is demanded. The first two lines hold every module
+# COMPONENTS: without, every optional third party is demanded. The first three lines hold every module
 # that Filters/vtk.module and IO/vtk.module name.
 set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonComputationalGeometry ParallelCore
-  Python WrappingPythonCore vtksys)
+  IOCore IOXMLParser expat jsoncpp vtksys
+  Python WrappingPythonCore)
 if (BUILD_TESTING)
   list(APPEND vtk_components
     FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources ImagingCore
