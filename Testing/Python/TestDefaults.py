@@ -15,6 +15,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CLASSES = {
     "PointInversion": footpoint.vtkPointInversionFilter,
     "SplineEvaluator": footpoint.vtkSplineEvaluator,
+    "SplineFileReader": footpoint.vtkSplineReader,
+    "SplineFileWriter": footpoint.vtkSplineWriter,
 }
 
 
@@ -27,7 +29,8 @@ def defaults(algorithm_class):
 
 def proxy_of(name):
     root = ElementTree.parse(ROOT / "Wrapping" / "ParaView" / "Footpoint" / f"{name}.xml").getroot()
-    proxies = root.findall(f".//SourceProxy[@name='{name}']")
+    kinds = ("SourceProxy", "WriterProxy")
+    proxies = [p for kind in kinds for p in root.findall(f".//{kind}[@name='{name}']")]
     assert len(proxies) == 1, f"{name}.xml has {len(proxies)} proxies of that name"
     return proxies[0]
 
@@ -54,7 +57,7 @@ class ParaView(unittest.TestCase):
             self.assertEqual(set(elements), set(expected), name)
             for option, value in expected.items():
                 words = elements[option].get("default_values")
-                if isinstance(value, str):
+                if value is None or isinstance(value, str):
                     self.assertEqual(words, value, option)
                     continue
                 values = value if isinstance(value, tuple) else (value,)
@@ -70,15 +73,16 @@ class ParaView(unittest.TestCase):
                 value = defaults(algorithm_class)[option]
                 boolean = element.find("BooleanDomain") is not None
                 self.assertEqual(boolean, isinstance(value, bool), option)
-                kind = {str: "String", bool: "Int", int: "Int", float: "Double", tuple: "Double"}
+                kind = {str: "String", type(None): "String", bool: "Int", int: "Int", float: "Double", tuple: "Double"}
                 self.assertEqual(element.tag, kind[type(value)] + "VectorProperty", option)
 
     def test_enumerations(self):
         """Every value of the class, under its name."""
-        for option in ("Search", "Method"):
-            element = properties(proxy_of("PointInversion"))[option]
+        for name, option in (("PointInversion", "Search"), ("PointInversion", "Method"),
+                             ("SplineFileReader", "Format"), ("SplineFileWriter", "Format")):
+            element = properties(proxy_of(name))[option]
             entries = element.findall("EnumerationDomain/Entry")
-            algorithm = footpoint.vtkPointInversionFilter()
+            algorithm = CLASSES[name]()
             for number, entry in enumerate(entries):
                 self.assertEqual(entry.get("value"), str(number))
                 getattr(algorithm, "Set" + option)(number)
@@ -111,6 +115,9 @@ class ParaView(unittest.TestCase):
                     if group.get("panel_visibility") == "advanced":
                         visibility = elements[member.get("name")].get("panel_visibility")
                         self.assertEqual(visibility, "advanced", member.get("name"))
+            files = proxy.find("Hints/ReaderFactory"), proxy.find("Hints/WriterFactory")
+            if any(hint is not None for hint in files):  # comes by the dialogs of files
+                continue
             self.assertEqual(proxy.find("Hints/ShowInMenu").get("category"), "Footpoint")
 
 
@@ -119,7 +126,8 @@ class Words(unittest.TestCase):
         """`Default: …` above each group of Set and Get."""
         for algorithm_class in CLASSES.values():
             name = algorithm_class.__name__
-            header = (ROOT / "Filters" / f"{name}.h").read_text(encoding="utf-8")
+            header, = (path.read_text(encoding="utf-8") for folder in ("Filters", "IO")
+                       for path in (ROOT / folder).glob(f"{name}.h"))
             for option, value in defaults(algorithm_class).items():
                 before = re.split(rf"vtkSet\w*Macro\({option}\b", header)[0]
                 self.assertLess(len(before), len(header), option)
@@ -144,6 +152,8 @@ class Words(unittest.TestCase):
         if hasattr(algorithm, f"Get{option}AsString"):
             name = getattr(algorithm, f"Get{option}AsString")()
             self.assertEqual(word.lower(), name.lower(), option)
+        elif value is None:
+            self.assertEqual(word, "none", option)
         elif word.startswith("VTK_DOUBLE_MAX"):
             self.assertEqual(value, 1e299, option)
         else:

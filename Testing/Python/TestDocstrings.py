@@ -11,8 +11,10 @@ import unittest
 import footpoint
 from footpoint._options import option_names
 
-FUNCTIONS = ("nurbs_surface", "nurbs_curve", "trimmed_face", "model", "invert", "evaluate")
-CLASSES = ("vtkPointInversionFilter", "vtkSplineEvaluator", "InversionResult", "Feet", "Status",
+FUNCTIONS = ("nurbs_surface", "nurbs_curve", "trimmed_face", "model", "invert", "evaluate",
+             "read_splines", "write_splines")
+CLASSES = ("vtkPointInversionFilter", "vtkSplineEvaluator", "vtkSplineReader", "vtkSplineWriter",
+           "InversionResult", "Feet", "Status",
            "FootType")
 
 
@@ -41,6 +43,8 @@ class Docstrings(unittest.TestCase):
             (footpoint.nurbs_surface, "(control_points, knots_u, knots_v, weights=None)"),
             (footpoint.nurbs_curve, "(control_points, knots, weights=None)"),
             (footpoint.trimmed_face, "(net, loops)"),
+            (footpoint.read_splines, "(path, format='Auto')"),
+            (footpoint.write_splines, "(geometry, path, format='Auto')"),
             (footpoint.evaluate, "(geometry, parameters, faces=None)"),
             (footpoint.invert,
              "(points, geometry, *, seed_parameters=None, seed_face_id=None, **options)"),

@@ -15,6 +15,7 @@ In NumPy terms
     gordon_surface               network of NURBS curves -> NURBS surface through it
     transfinite_volume           six faces or twelve edges -> structured grid of a volume
     smooth_grid                  structured grid -> the same without folds
+    read_splines, write_splines  files of G+Smo (.xml), GoTools (.g2) and geomdl (.json)
     Status, FootType             names of the numbers that `invert` returns
 
 In a VTK pipeline
@@ -22,7 +23,7 @@ In a VTK pipeline
     vtkPointInversionFilter, vtkSplineEvaluator, vtkCoonsPatchSource, vtkCoonsSurface,
     vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
         the classes behind those functions
-    vtkSplineReader
+    vtkSplineReader, vtkSplineWriter
         files of splines
 
 Example
@@ -47,6 +48,7 @@ from .vtkFootpointIO import *
 from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
 from .inversion import Feet, FootType, InversionResult, Status, invert
 from .evaluation import evaluate
+from .files import read_splines, write_splines
 from .grids import (
     coons_patch,
     coons_surface,
