@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs what one flavour of the build needs on Debian 12 (bookworm):
 #
-#   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, VTK 9.1, Xvfb
+#   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, Open CASCADE, VTK 9.1, Xvfb
 #   Utilities/set_up.sh paraview    the same tools, and ParaView 5.11 in a private folder
 #   Utilities/set_up.sh benchmarks  as vtk, and what Testing/Benchmarks needs and compares with
 #
@@ -16,13 +16,14 @@ set -euo pipefail
 paraview_root=${FOOTPOINT_PARAVIEW_ROOT:-${XDG_CACHE_HOME:-$HOME/.cache}/footpoint/paraview-5.11}
 
 tools=(cmake ninja-build g++ libeigen3-dev libgtest-dev libhwy-dev python3-numpy xvfb xauth libgl1-mesa-dri)
+# CAD files: brings all of Open CASCADE's development packages.
+cad=(libocct-data-exchange-dev zlib1g-dev)
 vtk=(libvtk9-dev python3-vtk9)
 # What ParaView's CMake files ask for and paraview-dev does not depend on.
 paraview=(libutfcpp-dev libdouble-conversion-dev liblz4-dev liblzma-dev libexpat1-dev
   libpython3-dev libopenmpi-dev zlib1g-dev libgl-dev libglew-dev libx11-dev libpng-dev
   libjpeg-dev libtiff-dev libfreetype-dev)
-benchmarks=(libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
-  libsisl-dev libbenchmark-dev python3-matplotlib)
+benchmarks=(libsisl-dev libbenchmark-dev python3-matplotlib)
 
 say() { echo "set-up: $*"; }
 
@@ -104,15 +105,15 @@ install_paraview_libraries() {
 
 case "${1:-}" in
 vtk)
-  install_packages "${tools[@]}" "${vtk[@]}"
+  install_packages "${tools[@]}" "${cad[@]}" "${vtk[@]}"
   ;;
 paraview)
-  install_packages "${tools[@]}" "${paraview[@]}"
+  install_packages "${tools[@]}" "${cad[@]}" "${paraview[@]}"
   unpack_paraview
   install_paraview_libraries
   ;;
 benchmarks)
-  install_packages "${tools[@]}" "${vtk[@]}" "${benchmarks[@]}"
+  install_packages "${tools[@]}" "${cad[@]}" "${vtk[@]}" "${benchmarks[@]}"
   ;;
 *)
   echo "usage: $0 vtk | paraview | benchmarks" >&2

@@ -23,8 +23,8 @@ In a VTK pipeline
     vtkPointInversionFilter, vtkSplineEvaluator, vtkCoonsPatchSource, vtkCoonsSurface,
     vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
         the classes behind those functions
-    vtkSplineReader, vtkSplineWriter
-        files of splines
+    vtkSplineReader, vtkSplineWriter, vtkCADReader
+        files of splines; STEP, IGES and BREP files (where Open CASCADE is built in)
 
 Example
 -------
