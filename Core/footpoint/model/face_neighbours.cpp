@@ -17,9 +17,13 @@ namespace
 /// tolerance within which borders meet.
 constexpr double kRimTolerance = 1e-8;
 
-/// Places of a part of a rim from which the nearest point is looked for, and Newton's steps.
-constexpr int kStarts = 5;
-constexpr int kSteps = 8;
+/// Places of a bent part of a rim from which the nearest point is looked for.
+constexpr int kStarts = 4;
+
+/// Steps of Gauss and Newton to the point of a rim that is nearest to one on it, and the step, as a
+/// fraction of the rim's part, after which another one changes nothing.
+constexpr int kSteps = 10;
+constexpr double kLastStep = 1e-9;
 
 /// Into how many wedges a collapsed side is divided, where a face has a pole at its vertex.
 constexpr int kPoleWedges = 16;
@@ -73,6 +77,22 @@ Sides<2> sides_at(const Surface& surface, const Parameter<2>& at)
 FaceNeighbours::FaceNeighbours(const Model& model, double size)
 {
   this->add_rims(model, size);
+  this->add_parts(size);
+  this->add_vertices();
+  for (std::size_t k = 0; k < this->Rims.size(); ++k)
+  {
+    const Rim& rim = this->Rims[k];
+    const Parameter<1> middle(0.5 * rim.curve->direction(0).length);
+    const std::vector<Passage> here =
+      this->passages(rim.curve->centre() + rim.curve->point(middle), rim.tolerance);
+    const bool met = std::any_of(
+      here.begin(), here.end(), [k](const Passage& passage) { return passage.rim != k; });
+    this->OpenEdges += !met;
+  }
+}
+
+void FaceNeighbours::add_parts(double size)
+{
   std::vector<std::array<Vector3, 2>> boxes;
   for (std::size_t k = 0; k < this->Rims.size(); ++k)
   {
@@ -85,20 +105,48 @@ FaceNeighbours::FaceNeighbours(const Model& model, double size)
       const std::array<Vector3, 2> box = bounding_box<1>(piece);
       const Vector3 shift = rim.curve->centre() - this->Centre;
       boxes.push_back({ { box[0] + shift - around, box[1] + shift + around } });
-      this->Parts.push_back({ k, piece.lower(0), piece.upper(0) });
+      const auto last = piece.control.cols() - 1;
+      this->Parts.push_back({ k, piece.lower(0), piece.upper(0),
+        piece.control.col(0).head<3>() / piece.control(3, 0),
+        piece.control.col(last).head<3>() / piece.control(3, last), piece.degree[0] == 1 });
     }
   }
   this->Tree = BoxTree(boxes);
-  for (std::size_t k = 0; k < this->Rims.size(); ++k)
+}
+
+/// The ends of all rims, those within the tolerance once.
+void FaceNeighbours::add_vertices()
+{
+  std::vector<Vector3> points;
+  std::vector<std::array<Vector3, 2>> boxes;
+  for (const Rim& rim : this->Rims)
   {
-    const Rim& rim = this->Rims[k];
-    const Parameter<1> middle(0.5 * rim.curve->direction(0).length);
-    const std::vector<Passage> here =
-      this->passages(rim.curve->centre() + rim.curve->point(middle), rim.tolerance);
-    const bool met = std::any_of(
-      here.begin(), here.end(), [k](const Passage& passage) { return passage.rim != k; });
-    this->OpenEdges += !met;
+    for (const double t : { 0.0, rim.curve->direction(0).length })
+    {
+      points.push_back(rim.curve->centre() + rim.curve->point(Parameter<1>(t)));
+      boxes.push_back({ { points.back() - this->Centre, points.back() - this->Centre } });
+    }
   }
+  const BoxTree ends(boxes);
+  std::vector<bool> done(points.size(), false);
+  boxes.clear();
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    if (done[k])
+    {
+      continue;
+    }
+    const double tolerance = this->Rims[k / 2].tolerance;
+    visit_near_boxes(
+      ends, points[k] - this->Centre, [tolerance] { return tolerance; },
+      [&](std::int32_t index) { done[index] = true; });
+    this->Vertices.push_back(
+      { points[k], tolerance, this->weighted_normals(points[k], tolerance) });
+    const Vector3 around = Vector3::Constant(tolerance);
+    const Vector3 at = points[k] - this->Centre;
+    boxes.push_back({ { at - around, at + around } });
+  }
+  this->VertexTree = BoxTree(boxes);
 }
 
 void FaceNeighbours::add_rims(const Model& model, double size)
@@ -132,40 +180,49 @@ void FaceNeighbours::add_rims(const Model& model, double size)
   }
 }
 
-FaceNeighbours::Passage FaceNeighbours::nearest_on(const Part& part, const Vector3& point) const
+/// From where the chord is nearest and, where that leads away from the point on a part that is not
+/// straight, from other places.
+FaceNeighbours::Passage FaceNeighbours::nearest_on(
+  const Part& part, const Vector3& point, double tolerance) const
+{
+  const Vector3 local = point - this->Rims[part.rim].curve->centre();
+  const Vector3 chord = part.end - part.start;
+  const double squared = chord.squaredNorm();
+  const double along = squared > 0.0 ? (local - part.start).dot(chord) / squared : 0.0;
+  Passage best = this->descend(part, local, std::clamp(along, 0.0, 1.0));
+  for (int k = 0; k < kStarts && best.distance > tolerance && !part.straight; ++k)
+  {
+    const Passage other = this->descend(part, local, (k + 0.5) / kStarts);
+    best = other.distance < best.distance ? other : best;
+  }
+  return best;
+}
+
+FaceNeighbours::Passage FaceNeighbours::descend(
+  const Part& part, const Vector3& local, double fraction) const
 {
   const EdgeCurve& curve = *this->Rims[part.rim].curve;
-  const Vector3 local = point - curve.centre();
-  const auto distance = [&](double t)
-  { return (curve.point(Parameter<1>(t)) - local).norm(); };
-  Passage best{ part.rim, part.lower, distance(part.lower) };
-  for (int k = 1; k < kStarts; ++k)
-  {
-    const double t = part.lower + (part.upper - part.lower) * k / (kStarts - 1);
-    const double here = distance(t);
-    best = here < best.distance ? Passage{ part.rim, t, here } : best;
-  }
-  double t = best.t;
+  const double length = part.upper - part.lower;
+  double t = part.lower + fraction * length;
+  Passage result{ part.rim, t, INFINITY };
   for (int k = 0; k < kSteps; ++k)
   {
     const Sides<1> side(t >= part.upper ? Side::Left : Side::Right);
     const Jet<1> jet = curve.jet(Parameter<1>(t), side, 1);
+    const Vector3 off = jet.point - local;
+    const double distance = off.norm();
+    result = distance < result.distance ? Passage{ part.rim, t, distance } : result;
     const double speed = jet.first.squaredNorm();
-    if (!(speed > 0.0))
-    {
-      break;
-    }
-    // Gauss and Newton: where the curve passes through the point that is as good.
-    const double next =
-      std::clamp(t - (jet.point - local).dot(jet.first.col(0)) / speed, part.lower, part.upper);
-    if (next == t)
+    // Where the curve passes through the point, the curvature does not matter.
+    const double step = speed > 0.0 ? -off.dot(jet.first.col(0)) / speed : 0.0;
+    const double next = std::clamp(t + step, part.lower, part.upper);
+    if (std::abs(next - t) <= kLastStep * length)
     {
       break;
     }
     t = next;
   }
-  const double there = distance(t);
-  return there < best.distance ? Passage{ part.rim, t, there } : best;
+  return result;
 }
 
 std::vector<FaceNeighbours::Passage> FaceNeighbours::passages(
@@ -177,8 +234,9 @@ std::vector<FaceNeighbours::Passage> FaceNeighbours::passages(
     [&](std::int32_t index)
     {
       const Part& part = this->Parts[index];
-      const Passage here = this->nearest_on(part, point);
-      if (here.distance > std::max(tolerance, this->Rims[part.rim].tolerance))
+      const double within = std::max(tolerance, this->Rims[part.rim].tolerance);
+      const Passage here = this->nearest_on(part, point, within);
+      if (here.distance > within)
       {
         return;
       }
@@ -292,6 +350,25 @@ Vector3 FaceNeighbours::wedges(
 Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
 {
   const double tolerance = this->Tolerances[face];
+  const Vertex* vertex = nullptr;
+  double nearest = INFINITY;
+  visit_near_boxes(
+    this->VertexTree, point - this->Centre, [tolerance] { return tolerance; },
+    [&](std::int32_t index)
+    {
+      const Vertex& here = this->Vertices[index];
+      const double distance = (here.point - point).norm();
+      if (distance <= std::max(tolerance, here.tolerance) && distance < nearest)
+      {
+        vertex = &here;
+        nearest = distance;
+      }
+    });
+  return vertex ? vertex->pseudonormal : this->weighted_normals(point, tolerance);
+}
+
+Vector3 FaceNeighbours::weighted_normals(const Vector3& point, double tolerance) const
+{
   const std::vector<Passage> here = this->passages(point, tolerance);
   Vector3 sum = Vector3::Zero();
   const double pi = std::acos(-1.0);

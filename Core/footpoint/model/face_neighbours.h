@@ -46,6 +46,16 @@ private:
     std::size_t rim;
     double lower; ///< parameters of the rim's curve
     double upper;
+    Vector3 start; ///< relative to the centre of the rim's curve
+    Vector3 end;
+    bool straight;
+  };
+  /// Where rims begin or end.
+  struct Vertex
+  {
+    Vector3 point;
+    double tolerance;
+    Vector3 pseudonormal;
   };
   /// Where a rim passes through a point.
   struct Passage
@@ -56,8 +66,12 @@ private:
   };
 
   void add_rims(const Model& model, double size);
+  void add_parts(double size);
+  void add_vertices();
+  Vector3 weighted_normals(const Vector3& point, double tolerance) const;
   std::vector<Passage> passages(const Vector3& point, double tolerance) const;
-  Passage nearest_on(const Part& part, const Vector3& point) const;
+  Passage nearest_on(const Part& part, const Vector3& point, double tolerance) const;
+  Passage descend(const Part& part, const Vector3& local, double fraction) const;
   Vector3 normal(std::size_t rim, double t) const;
   /// Of all rims of one face that begin or end at a vertex: the normals times the angles.
   Vector3 wedges(const std::vector<Passage>& arriving, const std::vector<Passage>& leaving) const;
@@ -68,6 +82,8 @@ private:
   std::vector<double> Tolerances;
   std::vector<Part> Parts;
   BoxTree Tree;
+  std::vector<Vertex> Vertices;
+  BoxTree VertexTree;
   Vector3 Centre = Vector3::Zero();
   std::int64_t OpenEdges = 0;
 };
