@@ -16,10 +16,14 @@ using footpoint::Vector3;
 using Cover = TrimRegion::Cover;
 using namespace trims;
 
-/// u in [0, 360] around the z axis, v in [0, 2] along it.
-Surface cylinder(bool swapped = false)
+/// u in [0, period] around the z axis, v in [0, 2] along it.
+Surface cylinder(bool swapped = false, double period = 360.0)
 {
-  const shapes::Arcs arcs = shapes::unit_arcs(360.0, 4);
+  shapes::Arcs arcs = shapes::unit_arcs(360.0, 4);
+  for (double& knot : arcs.knots)
+  {
+    knot *= period / 360.0;
+  }
   const Eigen::Index count = arcs.points.cols();
   Points points(3, 2 * count);
   Eigen::VectorXd weights(2 * count);
@@ -133,6 +137,34 @@ TEST(TrimRegionSeams, BandOfACylinder)
     expect_region({ bottom, reversed(hole), top }, tube,
       [&](double u, double v)
       { return band(u, v) && !((u < 0.1 * turn || u > 0.9 * turn) && v > 0.8 && v < 1.2); });
+  }
+}
+
+/// Rays straight through the points where arcs meet, the one where the loop closes among them: they
+/// differ by rounding when periods of 0.7 are taken off.
+TEST(TrimRegionSeams, RaysThroughEndsOfArcs)
+{
+  const Surface tube = cylinder(false, 0.7);
+  const double turn = tube.direction(0).length;
+  shapes::Random random(12);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    const double start = random.uniform(-3.0, 3.0);
+    const TrimRegion region(
+      { around(start * turn, (start + 1.0) * turn, 0.5), around(turn, 0.0, 1.5) }, tube, 0.0);
+    for (const footpoint::TrimArc& arc : region.arcs())
+    {
+      const double end = arc.control(0, arc.control.cols() - 1);
+      for (const double u :
+        { arc.control(0, 0), std::nextafter(end, 0.0), end, std::nextafter(end, 2.0 * turn) })
+      {
+        // Near the loops, where rays are needed.
+        for (const double v : { 0.5 - 1e-6, 0.5 + 1e-6, 1.5 - 1e-6, 1.5 + 1e-6 })
+        {
+          ASSERT_EQ(region.contains(u, v), band(u, v)) << start << " " << u << " " << v;
+        }
+      }
+    }
   }
 }
 
