@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SharedFaces.h"
+#include "TrimFaces.h"
 #include "TrimShapes.h"
 
 #include "footpoint/trims/edge_curve.h"
@@ -14,6 +14,7 @@
 
 using footpoint::BezierPiece;
 using footpoint::edge_pieces;
+using footpoint::EdgeArcs;
 using footpoint::EdgeCurve;
 using footpoint::EdgePieces;
 using footpoint::Jet;
@@ -600,10 +601,11 @@ namespace
 
 using EdgePointers = std::vector<std::shared_ptr<const EdgeCurve>>;
 
-EdgePointers edges_of(const Surface& surface, const std::vector<footpoint::TrimLoop>& loops)
+EdgePointers edges_of(const Surface& surface, const std::vector<footpoint::TrimLoop>& loops,
+  EdgeArcs which = EdgeArcs::NoSeams)
 {
   const auto shared = std::make_shared<const Surface>(surface);
-  return edge_curves(shared, footpoint::TrimRegion(loops, surface, 0.0));
+  return edge_curves(shared, footpoint::TrimRegion(loops, surface, 0.0), which);
 }
 
 } // namespace
@@ -624,8 +626,8 @@ TEST(EdgeCurve, AFaceHasAnEdgeForEachCurve)
 
 TEST(EdgeCurve, EdgesThatAreOnePointAreLeftOut)
 {
-  // The whole domain of a sphere: both poles drop out, the seam remains twice.
-  const EdgePointers edges = edges_of(shapes::sphere(), { trims::rectangle(0, -90, 360, 90) });
+  // Of three quarters of a sphere both poles drop out, the meridians remain.
+  const EdgePointers edges = edges_of(shapes::sphere(), { trims::rectangle(0, -90, 270, 90) });
   ASSERT_EQ(edges.size(), 2u);
   for (const auto& edge : edges)
   {
@@ -633,6 +635,19 @@ TEST(EdgeCurve, EdgesThatAreOnePointAreLeftOut)
     EXPECT_EQ(edge->direction(0).breaks.size(), 2u) << "a meridian has no kink";
     expect_accurate(*edge, 1e-14);
   }
+}
+
+TEST(EdgeCurve, SeamsAndBordersOfTheDomainAreNoEdgesOfTheirOwn)
+{
+  // All of a sphere: over the seam the face goes on.
+  EXPECT_TRUE(edges_of(shapes::sphere(), { trims::rectangle(0, -90, 360, 90) }).empty());
+  // On three sides the square itself ends.
+  const std::vector<footpoint::TrimLoop> loops{ trims::rectangle(0, 0, 10, 8) };
+  EXPECT_EQ(edges_of(shapes::square(), loops).size(), 4u);
+  const EdgePointers inside = edges_of(shapes::square(), loops, EdgeArcs::InsideDomain);
+  ASSERT_EQ(inside.size(), 1u);
+  EXPECT_EQ(inside[0]->surface_parameter(0.0), Eigen::Vector2d(10, 8));
+  EXPECT_EQ(inside[0]->surface_parameter(1.0), Eigen::Vector2d(0, 8));
 }
 
 TEST(EdgeCurve, CurvesThatLeaveTheDomainAreCut)
@@ -653,45 +668,28 @@ TEST(EdgeCurve, CurvesThatLeaveTheDomainAreCut)
 
 // === Real faces
 
-namespace
-{
-
-const char* const kRealFiles[] = { "analysissitus__nist_ctc_01.brep.jsonl",
-  "analysissitus__ubend2.stp.jsonl", "anurbs__point_on_surface_projection.ibra.jsonl",
-  "bladex__root.iges.jsonl", "bladex__tip.iges.jsonl", "dealii__goteborg.step.jsonl",
-  "dealii__wigley.iges.jsonl", "dealii__wing.iges.jsonl", "stepcode__dm1-id-214.stp.jsonl",
-  "tigl__D150WithGuides_wing.igs.jsonl", "tigl__nacelle.stp.jsonl" };
-
-} // namespace
-
 TEST(EdgeCurve, EdgesOfRealFaces)
 {
   int edges = 0;
   int arcs = 0;
   int pieces = 0;
   double worst = 0.0;
-  for (const char* const file : kRealFiles)
+  for (const trims::RealFace& face : trims::real_faces())
   {
-    for (const shared::Face& face : shared::faces_of(file))
+    SCOPED_TRACE(face.name);
+    const double size = face.surface->size();
+    const footpoint::TrimRegion region(face.loops, *face.surface, 0.0);
+    for (const auto& edge : edge_curves(face.surface, region, EdgeArcs::NoSeams))
     {
-      if (face.loops.empty())
-      {
-        continue;
-      }
-      SCOPED_TRACE(face.name);
-      const footpoint::TrimRegion region(face.loops, *face.surface, face.tolerance);
-      for (const auto& edge : edge_curves(face.surface, region))
-      {
-        const EdgePieces found = edge_pieces(*edge, 1e-13 * face.surface->size());
-        const double error = largest_error(*edge, found, 6);
-        EXPECT_LE(error, found.error);
-        EXPECT_LE(found.error, 1e-13 * face.surface->size());
-        expect_chain(*edge, found, 1e-14 * face.surface->size());
-        worst = std::max(worst, error / face.surface->size());
-        ++edges;
-        arcs += static_cast<int>(edge->arcs().size());
-        pieces += static_cast<int>(found.pieces.size());
-      }
+      const EdgePieces found = edge_pieces(*edge, 1e-13 * size);
+      const double error = largest_error(*edge, found, 6);
+      EXPECT_LE(error, found.error);
+      EXPECT_LE(found.error, 1e-13 * size);
+      expect_chain(*edge, found, 1e-14 * size);
+      worst = std::max(worst, error / size);
+      ++edges;
+      arcs += static_cast<int>(edge->arcs().size());
+      pieces += static_cast<int>(found.pieces.size());
     }
   }
   if (edges == 0)
