@@ -42,7 +42,9 @@ class SplineFiles(unittest.TestCase):
             path = str(OUTPUT / f"proxy_{name}")
             footpoint.write_splines([surface()] * writes, path)
             self.check(simple.SplineFileReader(FileName=path), writes)
-            self.check(simple.OpenDataFile(path), writes)
+            # ParaView gives .xml to its CityGML reader first; the others have no second reader.
+            if not path.endswith(".xml"):
+                self.check(simple.OpenDataFile(path), writes)
 
     def test_save_data(self):
         for data in (surface(), footpoint.model([surface(), surface()])):
