@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GeomdlFormat.h"
 
+#include "JsonText.h"
 #include "SplineBlocks.h"
 #include "TextScanner.h"
 #include "TrimDirection.h"
@@ -8,13 +9,7 @@
 #include "footpoint/common/errors.h"
 #include "footpoint/splines/knot_vector.h"
 
-#include "vtk_jsoncpp.h"
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <set>
 
 namespace footpoint::files
@@ -23,37 +18,16 @@ namespace footpoint::files
 namespace
 {
 
-/// Reads the document with the lines of its text at hand.
-class GeomdlReader
+class GeomdlReader : private JsonText
 {
 public:
-  explicit GeomdlReader(std::string_view text)
-    : Text(text)
-  {
-  }
+  using JsonText::JsonText;
 
   SplineFile read();
 
 private:
   using Value = Json::Value;
 
-  [[noreturn]] void refuse(const Value& at, const std::string& problem) const
-  {
-    throw FileError(this->line(at) + problem);
-  }
-  std::string line(const Value& at) const
-  {
-    const auto end = static_cast<std::size_t>(std::max<std::ptrdiff_t>(at.getOffsetStart(), 0));
-    const auto start = this->Text.begin();
-    return "line " +
-      std::to_string(1 + std::count(start, start + static_cast<std::ptrdiff_t>(end), '\n')) + ": ";
-  }
-
-  const Value& member(const Value& object, const char* name) const;
-  int integer(const Value& object, const char* name, int lowest, int highest) const;
-  std::optional<bool> flag(const Value& object, const char* name) const;
-  std::vector<double> numbers(const Value& array, const std::string& what) const;
-  std::vector<double> points(const Value& array) const;
   void warn_of_others(const Value& object, const std::set<std::string>& known);
 
   Spline read_curve(const Value& data);
@@ -66,101 +40,15 @@ private:
   void read_trims(const Value& trims, Spline& surface);
   void check_spline(const Value& data, const Spline& spline) const;
 
-  std::string_view Text;
   SplineFile File;
+  std::set<std::string> Unknown; ///< members that were warned of, once each
 };
-
-/// A member that has to be there.
-const Json::Value& GeomdlReader::member(const Value& object, const char* name) const
-{
-  if (!object.isObject())
-  {
-    this->refuse(object, std::string("expected an object with the member ") + name);
-  }
-  if (!object.isMember(name))
-  {
-    this->refuse(object, std::string("expected a member ") + name);
-  }
-  return object[name];
-}
-
-int GeomdlReader::integer(const Value& object, const char* name, int lowest, int highest) const
-{
-  const Value& value = this->member(object, name);
-  if (!value.isInt() || value.asInt() < lowest || value.asInt() > highest)
-  {
-    this->refuse(value,
-      std::string("expected a whole number from ") + std::to_string(lowest) + " to " +
-        std::to_string(highest) + " as " + name);
-  }
-  return value.asInt();
-}
-
-/// A truth value, as such or as 0 or 1; nothing where there is none.
-std::optional<bool> GeomdlReader::flag(const Value& object, const char* name) const
-{
-  if (!object.isMember(name) || object[name].isNull())
-  {
-    return {};
-  }
-  const Value& value = object[name];
-  if (!value.isBool() && !(value.isInt() && (value.asInt() == 0 || value.asInt() == 1)))
-  {
-    this->refuse(value, std::string("expected true or false as ") + name);
-  }
-  return value.isBool() ? value.asBool() : value.asInt() == 1;
-}
-
-std::vector<double> GeomdlReader::numbers(const Value& array, const std::string& what) const
-{
-  if (!array.isArray())
-  {
-    this->refuse(array, "expected numbers in brackets as " + what);
-  }
-  std::vector<double> result;
-  for (const Value& value : array)
-  {
-    if (!value.isNumeric() || !std::isfinite(value.asDouble()))
-    {
-      this->refuse(
-        value, "expected a number as " + what + "[" + std::to_string(result.size()) + "]");
-    }
-    result.push_back(value.asDouble());
-  }
-  return result;
-}
-
-/// x, y, z of points in the plane or in space.
-std::vector<double> GeomdlReader::points(const Value& array) const
-{
-  if (!array.isArray())
-  {
-    this->refuse(array, "expected points in brackets as points");
-  }
-  std::vector<double> result;
-  std::size_t space = 0;
-  for (const Value& value : array)
-  {
-    const std::string what = "points[" + std::to_string(result.size() / 3) + "]";
-    std::vector<double> point = this->numbers(value, what);
-    space = result.empty() ? point.size() : space;
-    if (point.size() != space || (space != 2 && space != 3))
-    {
-      this->refuse(value,
-        "expected " + (result.empty() ? std::string("2 or 3") : std::to_string(space)) +
-          " coordinates as " + what + ", found " + std::to_string(point.size()));
-    }
-    point.resize(3, 0.0);
-    result.insert(result.end(), point.begin(), point.end());
-  }
-  return result;
-}
 
 void GeomdlReader::warn_of_others(const Value& object, const std::set<std::string>& known)
 {
   for (const std::string& name : object.getMemberNames())
   {
-    if (known.count(name) == 0)
+    if (known.count(name) == 0 && this->Unknown.insert(name).second)
     {
       this->File.warnings.push_back(
         this->line(object[name]) + "the member " + in_quotes(name) + " is left out");
@@ -371,25 +259,7 @@ void GeomdlReader::read_trims(const Value& trims, Spline& surface)
 
 SplineFile GeomdlReader::read()
 {
-  Json::CharReaderBuilder builder;
-  Json::CharReaderBuilder::strictMode(&builder.settings_);
-  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-  Value root;
-  std::string errors;
-  try
-  {
-    if (!reader->parse(this->Text.data(), this->Text.data() + this->Text.size(), &root, &errors))
-    {
-      // "* Line 3, Column 5\n  Missing ',' …\n"
-      std::replace(errors.begin(), errors.end(), '\n', ' ');
-      throw FileError("it is no JSON: " + errors);
-    }
-  }
-  catch (const Json::Exception& error)
-  {
-    throw FileError(std::string("it is no JSON: ") + error.what());
-  }
-
+  const Value root = this->parse();
   const Value& shape = this->member(root, "shape");
   const Value& type = this->member(shape, "type");
   const std::string kind = type.isString() ? type.asString() : "";
