@@ -170,7 +170,11 @@ void TestOtherData()
   CHECK(ErrorOf(trimmed).empty());
   trimmed->SetBlock(1, MakeCircle());
   trimmed->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "Loop 0");
-  CheckRefused(trimmed, { "trimmed face" });
+  CHECK(ErrorOf(trimmed).empty());
+  // From (-2, 4) to (2, 4): no loop.
+  trimmed->SetBlock(1, MakeParabola());
+  trimmed->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "Loop 0");
+  CheckRefused(trimmed, { "curve 0 of trim loop 0", "from (2, 4) to (-2, 4)" });
 }
 
 /// One bad face, or a trimmed one, never takes the others down.

@@ -82,8 +82,9 @@ class BadGeometry(unittest.TestCase):
             self.check(text, footpoint.evaluate, net, [[0, 0]])
 
     def test_trimmed_faces(self):
-        face = footpoint.trimmed_face(square(), [[np.array([[0, 0], [1, 0], [1, 1], [0, 0.0]])]])
-        self.check("trimmed face", footpoint.invert, [[0, 0, 0]], face)
+        corners = np.array([[0, 0], [1, 0], [1, 1.0]])
+        self.check("curve . of trim loop 0",
+                   footpoint.trimmed_face, square(), [[corners, corners[1:]]])
 
     def test_one_bad_face_of_two(self):
         faces = [spoil(square(), "KnotsU", 1, np.nan), square(2)]
