@@ -32,12 +32,13 @@ void write_number(vtkFieldData* data, const std::string& name, double value)
 }
 
 /// A column of numbers, one for each face.
-void add_column(vtkTable* table, const char* name,
-  const std::vector<DeviationStatistics>& statistics, double (*value)(const DeviationStatistics&))
+template <class Rows>
+void add_column(vtkTable* table, const char* name, const Rows& rows,
+  double (*value)(const typename Rows::value_type&))
 {
   vtkNew<vtkDoubleArray> column;
   column->SetName(name);
-  for (const DeviationStatistics& row : statistics)
+  for (const auto& row : rows)
   {
     column->InsertNextValue(value(row));
   }
@@ -97,6 +98,10 @@ void write_face_table(
   add_column(table, "Percentile95", statistics, [](Row row) { return row.percentile95; });
   add_column(table, "OutOfToleranceFraction", statistics,
     [](Row row) { return row.out_of_tolerance_fraction; });
+  using Part = const Face&;
+  add_column(table, "Tolerance", model, [](Part face) { return face.tolerance; });
+  add_column(table, "LargestGap", model,
+    [](Part face) { return face.region ? face.region->largest_gap() : 0.0; });
 }
 
 } // namespace
@@ -109,10 +114,15 @@ DeviationReport::DeviationReport(const Model& model, vtkIdType count)
 }
 
 void DeviationReport::write(
-  double tolerance, const std::string& prefix, vtkFieldData* data, vtkTable* table) const
+  double tolerance, const std::string& prefix, std::int64_t open_edges, vtkFieldData* data,
+  vtkTable* table) const
 {
   const DeviationStatistics all = this->All.statistics(tolerance);
   write_statistics(all, prefix, data);
+  vtkNew<vtkIdTypeArray> edges;
+  edges->SetName((prefix + "OpenEdges").c_str());
+  edges->InsertNextValue(static_cast<vtkIdType>(open_edges));
+  replace(data, edges);
   std::vector<DeviationStatistics> of_faces{ all };
   if (this->Faces.size() != 1)
   {

@@ -34,10 +34,10 @@ public:
     }
   }
 
-  /// Writes `DistanceCount` … `OutOfToleranceFraction` with the prefix before their names, and a
-  /// row of the table for each face of the model.
-  void write(
-    double tolerance, const std::string& prefix, vtkFieldData* data, vtkTable* table) const;
+  /// Writes `DistanceCount` … `OutOfToleranceFraction` and `OpenEdges` with the prefix before their
+  /// names, and a row of the table for each face of the model.
+  void write(double tolerance, const std::string& prefix, std::int64_t open_edges,
+    vtkFieldData* data, vtkTable* table) const;
 
 private:
   const Model& Geometry;

@@ -355,7 +355,8 @@ int vtkPointInversionFilter::RequestData(
   // === Attach
   record.attach();
   record.fill_foot_points(vtkPolyData::GetData(outputs, 1));
-  record.report().write(limit(this->DeviationTolerance), layout.prefix, output->GetFieldData(),
+  record.report().write(limit(this->DeviationTolerance), layout.prefix,
+    this->Internal->Inverter.inverter().number_of_open_edges(), output->GetFieldData(),
     vtkTable::GetData(outputs, 2));
   return 1;
 }

@@ -51,7 +51,10 @@
  * over all blocks together, without ghost and hidden points: `DistanceCount`, `DistanceMinimum`,
  * `DistanceMaximum`, `DistanceMean`, `DistanceRMS`, `DistanceStandardDeviation`,
  * `DistancePercentile95` (of the absolute distance, nearest rank), `StatusCounts` (6 values) and
- * `OutOfToleranceFraction` (see SetDeviationTolerance()).
+ * `OutOfToleranceFraction` (see SetDeviationTolerance()). `OpenEdges` is the number of borders of
+ * faces without a neighbour: where it is 0 and the normals point outward, as on a solid, negative
+ * distances are inside. At edges and vertices the sign is that of the sum of the normals of all faces
+ * that meet there, weighted by their angles (J. A. Bærentzen and H. Aanæs 2005).
  *
  * **Output port 1**: the foot points as vtkPolyData, of points with a foot only, with the same
  * arrays, `PointId` (the point's number in its block) and, for composite inputs, `BlockId` (the
@@ -61,7 +64,8 @@
  *
  * **Output port 2**: a vtkTable with a row for every face: `FaceId`, `Name`, `Count` of points
  * whose foot is on the face, and of their SignedDistance (curves: Distance) `Minimum`, `Maximum`,
- * `MaximumAbsolute`, `Mean`, `RMS`, `StandardDeviation`, `Percentile95`, `OutOfToleranceFraction`.
+ * `MaximumAbsolute`, `Mean`, `RMS`, `StandardDeviation`, `Percentile95`, `OutOfToleranceFraction`;
+ * and, in model units, the face's `Tolerance` and the `LargestGap` that was closed in its trim loops.
  *
  * If the input has a point array `SeedParameters` (1 or 2 components), its values are tried as
  * starting parameters (not for the nearest point of Search GLOBAL, which needs none), on the face

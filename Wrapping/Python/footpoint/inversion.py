@@ -99,10 +99,11 @@ class InversionResult(Feet):
 
     #: statistics of signed_distance (of distance in models of curves alone) in model units: count,
     #: minimum, maximum, mean, rms, standard_deviation, percentile95 (of the absolute distance),
-    #: status_counts (6,), out_of_tolerance_fraction (of count)
+    #: status_counts (6,), out_of_tolerance_fraction (of count); open_edges, the number of borders of
+    #: faces without a neighbour (0: closed)
     statistics: dict
     #: a row for each face: face_id, name, count, minimum, maximum, maximum_absolute, mean, rms,
-    #: standard_deviation, percentile95, out_of_tolerance_fraction
+    #: standard_deviation, percentile95, out_of_tolerance_fraction, tolerance, largest_gap
     face_statistics: dict
     #: every foot, with all_feet=True or a fixed_direction; else None
     all_feet: Optional[TaggedFeet]
