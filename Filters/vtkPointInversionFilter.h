@@ -19,6 +19,11 @@
  *   or on the range in the cell array `ParameterRange` (u0, u1[, v0, v1]); cells with the same
  *   value of the cell array `FaceId` are one face, whose number that value is (in models: plus the
  *   numbers used up before); without it every cell is a face;
+ * - a trimmed face: a vtkMultiBlockDataSet with the block `Surface`, a control net, and blocks
+ *   `Loop 0`, `Loop 1`, …, each a vtkMultiBlockDataSet of curves in the (u, v) plane (z = 0), head to
+ *   tail; a curve without `KnotsU`, or a line of vtkPolyData, is a polyline. Counter-clockwise loops
+ *   keep their inside, clockwise ones are holes. Gaps in a loop are closed up to the field data
+ *   `Tolerance` of the surface (model units);
  * - a composite data set of those: a model whose faces are numbered from 0 in order; an empty
  *   block uses up its number. The field data `FaceName` and `Orientation` (−1: reversed) of a
  *   leaf belong to its face.

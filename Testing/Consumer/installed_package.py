@@ -11,3 +11,4 @@ found = pathlib.Path(footpoint.__file__).resolve()
 if prefix not in found.parents:
     sys.exit(f"imported {found}, which is not below {prefix}")
 footpoint.vtkPointInversionFilter()
+footpoint.vtkSplineReader()
