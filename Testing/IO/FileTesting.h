@@ -114,6 +114,13 @@ inline vtkStructuredGrid* Net(vtkMultiBlockDataSet* blocks, unsigned int number)
   return net;
 }
 
+inline std::array<int, 3> Dimensions(vtkStructuredGrid* net)
+{
+  std::array<int, 3> dimensions;
+  net->GetDimensions(dimensions.data());
+  return dimensions;
+}
+
 inline std::vector<double> FieldValues(vtkDataObject* data, const char* name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);

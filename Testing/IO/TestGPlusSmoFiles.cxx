@@ -22,7 +22,7 @@ void TestNumbers()
   CHECK(result.errors.empty() && result.warnings.empty());
   CHECK(result.data->GetNumberOfBlocks() == 2);
   vtkStructuredGrid* curve = Net(result.data, 0);
-  CHECK(curve->GetDimensions()[0] == 3 && curve->GetDimensions()[1] == 1);
+  CHECK(Dimensions(curve)[0] == 3 && Dimensions(curve)[1] == 1);
   CHECK(NameOf(result.data, 0) == "arc & \"more\"" && NameOf(result.data, 1).empty());
   CHECK(vtkStringArray::SafeDownCast(curve->GetFieldData()->GetAbstractArray("FaceName"))
           ->GetValue(0) == "arc & \"more\"");
@@ -32,7 +32,7 @@ void TestNumbers()
   CHECK(curve->GetPointData()->GetRationalWeights()->GetComponent(1, 0) == 0.5);
 
   vtkStructuredGrid* surface = Net(result.data, 1);
-  CHECK(surface->GetDimensions()[0] == 2 && surface->GetDimensions()[1] == 3);
+  CHECK(Dimensions(surface)[0] == 2 && Dimensions(surface)[1] == 3);
   CHECK(FieldValues(surface, "KnotsU") == std::vector<double>({ 0, 0, 2, 2 }));
   CHECK(FieldValues(surface, "KnotsV") == std::vector<double>({ 0, 0, 1.5, 3, 3 }));
   CHECK(FieldValues(surface, "Degree") == std::vector<double>({ 1, 1 }));

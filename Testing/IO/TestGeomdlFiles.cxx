@@ -23,7 +23,7 @@ void TestSurfaces()
   CHECK(result.data->GetNumberOfBlocks() == 2);
   vtkStructuredGrid* sheet = Net(result.data, 0);
   CHECK(NameOf(result.data, 0) == "sheet");
-  CHECK(sheet->GetDimensions()[0] == 2 && sheet->GetDimensions()[1] == 3);
+  CHECK(Dimensions(sheet)[0] == 2 && Dimensions(sheet)[1] == 3);
   CHECK(FieldValues(sheet, "KnotsV") == std::vector<double>({ 0, 0, 1.5, 3, 3 }));
   // The file has v fastest, the net u.
   CHECK(sheet->GetPoint(1)[0] == 1 && sheet->GetPoint(1)[1] == 0);

@@ -23,7 +23,7 @@ void TestGoTools()
   CHECK(result.data->GetNumberOfBlocks() == 4);
 
   auto* curve = Net(result.data, 0);
-  CHECK(curve->GetDimensions()[0] == 3 && curve->GetDimensions()[1] == 1);
+  CHECK(Dimensions(curve)[0] == 3 && Dimensions(curve)[1] == 1);
   CHECK(FieldValues(curve, "KnotsU") == std::vector<double>({ 0, 0, 0, 1, 1, 1 }));
   CHECK(FieldValues(curve, "Degree") == std::vector<double>({ 2 }));
   CHECK(!curve->GetFieldData()->HasArray("KnotsV"));
@@ -33,7 +33,7 @@ void TestGoTools()
   CHECK(Value(curve, "RationalWeights", 1) == 0.5);
 
   auto* surface = Net(result.data, 1);
-  CHECK(surface->GetDimensions()[0] == 2 && surface->GetDimensions()[1] == 3);
+  CHECK(Dimensions(surface)[0] == 2 && Dimensions(surface)[1] == 3);
   CHECK(FieldValues(surface, "KnotsU") == std::vector<double>({ 0, 0, 2, 2 }));
   CHECK(FieldValues(surface, "KnotsV") == std::vector<double>({ 0, 0, 1.5, 3, 3 }));
   CHECK(FieldValues(surface, "Degree") == std::vector<double>({ 1, 1 }));
