@@ -440,6 +440,23 @@ TEST(EdgeCurve, LooserTolerancesTakeFewerPieces)
   EXPECT_LE(largest_error(edge, finest), finest.error);
 }
 
+TEST(EdgeCurve, LooseBoundsHoldWithUnevenWeights)
+{
+  // Few terms, and a slow decay: here the sum of those that are left out is no bound.
+  shapes::Random random(75);
+  for (int k = 0; k < 300; ++k)
+  {
+    const int degree = random.integer(1, 3);
+    const auto arrays = shapes::random_arrays<2>(random, { degree, 1 }, 1, true, 3.0);
+    const EdgeCurve edge = random_edge(random, arrays.geometry(), 5, 3.0);
+    for (const double relative : { 0.3, 3e-2, 1e-3 })
+    {
+      const EdgePieces pieces = edge_pieces(edge, relative * edge.surface().size());
+      EXPECT_LE(largest_error(edge, pieces, 100), pieces.error) << "edge " << k << ", " << relative;
+    }
+  }
+}
+
 TEST(EdgeCurve, PiecesAtAnyScale)
 {
   shapes::Random random(73);

@@ -221,7 +221,7 @@ void Approximation::run(const Homogeneous& arc, double from, double to, int dept
     degree = lowest_degree(magnitudes, allowed, std::min(degree + 1, kHighestDegree));
     error = magnitudes.tail(this->Count - 1 - degree).sum();
     // Weights that vary let the bound be larger than the terms that are cut off.
-    const bool small = error <= allowed || depth == kDeepest;
+    const bool small = error <= accepted || depth == kDeepest;
     if (this->Patch.rational && small)
     {
       error = this->rational_bound(arc, values, series, degree);
