@@ -35,13 +35,18 @@ inline Patch patch_of(const footpoint::Surface& surface)
   return { nullptr, std::make_shared<footpoint::Surface>(surface) };
 }
 
+inline Face face_of_patches(std::vector<Patch> patches, bool reversed = false)
+{
+  Face face;
+  face.patches = std::move(patches);
+  face.reversed = reversed;
+  return face;
+}
+
 template <class Geometry>
 Face face_of(const Geometry& geometry, bool reversed = false)
 {
-  Face face;
-  face.patches.push_back(patch_of(geometry));
-  face.reversed = reversed;
-  return face;
+  return face_of_patches({ patch_of(geometry) }, reversed);
 }
 
 /// A model of one face a geometry.

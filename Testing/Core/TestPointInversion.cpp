@@ -267,8 +267,8 @@ TEST(Faces, CurvesAndSurfacesMix)
 TEST(Patches, SharedBordersAreInterior)
 {
   // Two coplanar cells and a third that rises behind them.
-  Model model{ Face{
-    "", { patch_of(plate(0, 1)), patch_of(plate(1, 2)), patch_of(plate(2, 3, 0, 1.0)) }, false } };
+  const Model model{ face_of_patches(
+    { patch_of(plate(0, 1)), patch_of(plate(1, 2)), patch_of(plate(2, 3, 0, 1.0)) }) };
   const PointInverter inverter(model);
   const Foot smooth = inverter.find({ 1, 0.5, 0.5 });
   EXPECT_EQ(smooth.type, FootType::Interior);
@@ -295,7 +295,7 @@ TEST(Patches, SharedBordersAreInterior)
 
 TEST(Patches, AFootOnASharedBorderCountsOnce)
 {
-  Model model{ Face{ "", { patch_of(plate(0, 1)), patch_of(plate(1, 2)) }, false } };
+  const Model model{ face_of_patches({ patch_of(plate(0, 1)), patch_of(plate(1, 2)) }) };
   EXPECT_EQ(PointInverter(model, all_feet()).find_all({ 1, 0.5, 0.5 }).size(), 1u);
   EXPECT_EQ(PointInverter(model, along({ 0, 0, 1 })).find_all({ 1, 0.5, 0.5 }).size(), 1u);
 }
