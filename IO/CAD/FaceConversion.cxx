@@ -124,6 +124,14 @@ private:
       this->Tolerance =
         std::max(this->Tolerance, BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
     }
+    // A tolerance that its own edges break is no tolerance.
+    for (const TrimChain& loop : this->Loops)
+    {
+      for (const TrimCurve& curve : loop)
+      {
+        this->Tolerance = std::max(this->Tolerance, curve.deviation);
+      }
+    }
   }
 
   std::array<double, 2> period() const

@@ -31,6 +31,8 @@ constexpr int kDegree = 9;
 constexpr int kDeepestBisection = 12;
 /// Samples of a span of a curve in which crossings of a kink of the map are looked for.
 constexpr int kSamples = 16;
+/// Factor on the exactness for edges that are projected: they hold to the file's tolerance only.
+constexpr double kProjected = 1e3;
 /// Largest error of a coordinate that is rounding, relative to its size.
 constexpr double kRounding = 4e-16;
 
@@ -274,6 +276,23 @@ bool has_exact_spline(const Handle(Geom2d_Curve) & curve)
     !Handle(Geom2d_Ellipse)::DownCast(curve).IsNull();
 }
 
+/// An edge on a surface with straight parameters, control point by control point.
+CurveData flat_edge(const TrimCurve& trim, double tolerance)
+{
+  const EdgeOnSurface& edge = *trim.missed;
+  const ConvertedCurve space = convert_curve(edge.curve, edge.first, edge.last, tolerance);
+  CurveData data = curve_data(space.curve, gp_Trsf(), 1.0);
+  for (std::size_t i = 0; i < data.points.size(); i += 3)
+  {
+    const gp_Pnt2d foot =
+      *edge.flat_foot(gp_Pnt(data.points[i], data.points[i + 1], data.points[i + 2]));
+    data.points[i] = foot.X() + trim.shift.X();
+    data.points[i + 1] = foot.Y() + trim.shift.Y();
+    data.points[i + 2] = 0.0;
+  }
+  return data;
+}
+
 /// Whether a curve runs along u or along v all the way and never turns back.
 bool is_isoline(const TrimCurve& trim, const ParameterScale& scale)
 {
@@ -312,6 +331,17 @@ gp_Pnt2d TrimCurve::at(double parameter) const
   return this->curve->Value(parameter).Translated(this->shift);
 }
 
+gp_Pnt2d TrimCurve::exact_at(double parameter) const
+{
+  if (!this->missed)
+  {
+    return this->at(parameter);
+  }
+  const double fraction =
+    parameter == this->last ? 1.0 : (parameter - this->first) / (this->last - this->first);
+  return this->missed->foot(fraction, this->curve->Value(parameter)).Translated(this->shift);
+}
+
 CurveData parameter_line(const gp_Pnt2d& from, const gp_Pnt2d& to)
 {
   CurveData data;
@@ -329,9 +359,9 @@ CurveData convert_parameter_curve(const TrimCurve& trim, const std::array<Parame
 
   TrimCurve bare = trim;
   bare.curve = bare_curve(trim.curve);
-  const bool identity = map[0].is_identity() && map[1].is_identity();
+  const bool identity = map[0].is_identity() && map[1].is_identity() && !trim.missed;
   const bool line = !Handle(Geom2d_Line)::DownCast(bare.curve).IsNull();
-  if ((line && identity) || is_isoline(bare, scale))
+  if ((line && identity) || (!trim.missed && is_isoline(bare, scale)))
   {
     return parameter_line(mapped(bare.start()), mapped(bare.end()));
   }
@@ -340,15 +370,30 @@ CurveData convert_parameter_curve(const TrimCurve& trim, const std::array<Parame
   {
     data = exact_curve(bare);
   }
+  else if (trim.missed && trim.missed->flat_foot(gp_Pnt()))
+  {
+    data = flat_edge(trim, scale.exactness);
+  }
   else
   {
-    std::vector<double> breaks = spans(bare.curve, bare.first, bare.last);
+    std::vector<double> breaks{ bare.first, bare.last };
+    if (!trim.missed)
+    {
+      breaks = spans(bare.curve, bare.first, bare.last);
+    }
+    for (const double kink : trim.missed ? trim.missed->kinks() : std::vector<double>())
+    {
+      breaks.push_back(bare.first + (bare.last - bare.first) * kink);
+    }
+    std::sort(breaks.begin(), breaks.end());
     for (std::size_t i = 1, count = breaks.size(); i < count; ++i)
     {
       add_kinks(bare, map, breaks[i - 1], breaks[i], breaks);
     }
     std::sort(breaks.begin(), breaks.end());
-    PieceFitter fitter([&](double t) { return mapped(bare.at(t)); }, scale);
+    ParameterScale wanted = scale;
+    wanted.exactness *= trim.missed ? kProjected : 1.0;
+    PieceFitter fitter([&](double t) { return mapped(bare.exact_at(t)); }, wanted);
     const double near = 1e-12 * (bare.last - bare.first);
     double from = breaks.front();
     for (std::size_t i = 1; i < breaks.size(); ++i)

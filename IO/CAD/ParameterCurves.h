@@ -5,12 +5,14 @@
 #define ParameterCurves_h
 
 #include "CADModel.h"
+#include "EdgeProjection.h"
 #include "ParameterMap.h"
 
 #include <Geom2d_Curve.hxx>
 #include <gp_Vec2d.hxx>
 
 #include <array>
+#include <memory>
 
 namespace footpoint::cad
 {
@@ -23,8 +25,13 @@ struct TrimCurve
   double last = 0.0;
   bool reversed = false;           ///< the loop runs from `last` to `first`
   gp_Vec2d shift = gp_Vec2d(0, 0); ///< whole periods of the surface
+  /// The edge that `curve` misses; null where it does not.
+  std::shared_ptr<const EdgeOnSurface> missed;
+  double deviation = 0.0; ///< from the edge, where it is known to be above the edge's tolerance
 
   gp_Pnt2d at(double parameter) const; ///< of the curve, shifted
+  /// The same, or where the edge is that it misses.
+  gp_Pnt2d exact_at(double parameter) const;
   gp_Pnt2d start() const { return this->at(this->reversed ? this->last : this->first); }
   gp_Pnt2d end() const { return this->at(this->reversed ? this->first : this->last); }
 };

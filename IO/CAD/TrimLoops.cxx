@@ -9,6 +9,7 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <TopoDS.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
@@ -68,6 +69,53 @@ TrimCurve trim_curve(const TopoDS_Edge& edge, const TopoDS_Face& face)
     }
   }
   return trim;
+}
+
+/// Samples of an edge at which its trim curve is compared with it.
+constexpr int kEdgeSamples = 23;
+
+/// Gives a trim curve the edge that it is farther from than the edge's tolerance, if the edge lies
+/// on the surface any better than the curve.
+void find_missed_edge(TrimCurve& trim, const TopoDS_Edge& edge, const TopLoc_Location& face_location,
+  const Handle(Geom_Surface) & surface)
+{
+  TopLoc_Location location;
+  EdgeOnSurface on;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, on.first, on.last);
+  if (curve.IsNull() || !(on.first < on.last) || on.last - on.first > 1e100)
+  {
+    return;
+  }
+  const TopLoc_Location relative = face_location.Inverted() * location;
+  on.curve = relative.IsIdentity()
+    ? curve
+    : Handle(Geom_Curve)::DownCast(curve->Transformed(relative.Transformation()));
+  on.surface = surface;
+  double curve_miss = 0.0;
+  double foot_miss = 0.0;
+  for (int i = 0; i <= kEdgeSamples; ++i)
+  {
+    const double fraction = static_cast<double>(i) / kEdgeSamples;
+    const gp_Pnt2d point = trim.curve->Value(trim.first + (trim.last - trim.first) * fraction);
+    const gp_Pnt target = on.at(fraction);
+    const double miss = surface->Value(point.X(), point.Y()).Distance(target);
+    curve_miss = std::max(curve_miss, miss);
+    if (miss > BRep_Tool::Tolerance(edge))
+    {
+      const gp_Pnt2d foot = on.foot(fraction, point);
+      foot_miss = std::max(foot_miss, surface->Value(foot.X(), foot.Y()).Distance(target));
+    }
+  }
+  if (curve_miss <= BRep_Tool::Tolerance(edge))
+  {
+    return;
+  }
+  trim.deviation = curve_miss;
+  if (foot_miss < 0.5 * curve_miss)
+  {
+    trim.deviation = foot_miss;
+    trim.missed = std::make_shared<EdgeOnSurface>(on);
+  }
 }
 
 double extent_of(const TrimChain& curves)
@@ -152,6 +200,8 @@ void shift_into_one_period(std::vector<TrimChain>& loops, std::size_t direction,
 std::vector<TrimChain> trim_loops(const TopoDS_Face& face, const Handle(Geom_Surface) & surface)
 {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  TopLoc_Location location;
+  BRep_Tool::Surface(face, location);
   std::vector<TrimChain> loops;
   for (TopoDS_Iterator wires(forward); wires.More(); wires.Next())
   {
@@ -166,6 +216,7 @@ std::vector<TrimChain> trim_loops(const TopoDS_Face& face, const Handle(Geom_Sur
       if (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED)
       {
         curves.push_back(trim_curve(edge, forward));
+        find_missed_edge(curves.back(), edge, location, surface);
       }
     }
     for (TrimChain& loop : chain(std::move(curves)))
