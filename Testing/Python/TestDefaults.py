@@ -18,6 +18,8 @@ CLASSES = {
     "SplineFileReader": footpoint.vtkSplineReader,
     "SplineFileWriter": footpoint.vtkSplineWriter,
 }
+if hasattr(footpoint, "vtkCADReader"):  # not without Open CASCADE
+    CLASSES["CADReader"] = footpoint.vtkCADReader
 
 
 def defaults(algorithm_class):

@@ -16,6 +16,7 @@ In NumPy terms
     transfinite_volume           six faces or twelve edges -> structured grid of a volume
     smooth_grid                  structured grid -> the same without folds
     read_splines, write_splines  files of G+Smo (.xml), GoTools (.g2) and geomdl (.json)
+    read_cad, read_cad_parts     STEP, IGES or BREP file -> exact faces; also mesh and edges
     Status, FootType             names of the numbers that `invert` returns
 
 In a VTK pipeline
@@ -47,6 +48,7 @@ from .vtkFootpointFilters import *
 from .vtkFootpointIO import *
 from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
 from .inversion import Feet, FootType, InversionResult, Status, invert
+from .cad import CADParts, read_cad, read_cad_parts
 from .evaluation import evaluate
 from .files import read_splines, write_splines
 from .grids import (
