@@ -4,6 +4,7 @@
 #include "CADProcess.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace footpoint::cad
 {
@@ -86,7 +87,9 @@ public:
 void close(Reception& reception, const std::string& reason)
 {
   CompleteReading& result = reception.result;
-  const std::string sentence = "while " + reception.stage + ": " + reason;
+  const std::string sentence = reception.face >= 0
+    ? "at face " + std::to_string(reception.face) + ": " + reason
+    : "while " + reception.stage + ": " + reason;
   if (reception.summarized && reception.face < 0)
   {
     result.warnings.push_back(sentence + "; the exact model is complete, the rest is not");
@@ -105,6 +108,7 @@ CompleteReading read_completely(const ReadingOptions& options, double time_limit
 {
   ReadingOptions now = options;
   std::vector<SkippedPart> deadly;
+  const auto start = std::chrono::steady_clock::now();
   while (true)
   {
     Reception reception;
@@ -117,7 +121,10 @@ CompleteReading read_completely(const ReadingOptions& options, double time_limit
       nothing.aborted = true;
       return nothing;
     }
-    if (outcome.end == ReadingEnd::Failed && reception.face >= 0 && deadly.size() < kMostDeaths)
+    // Crashes are quick; waiting for a second face that never ends would only add to the wait.
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (outcome.end == ReadingEnd::Failed && reception.face >= 0 &&
+      deadly.size() < kMostDeaths && elapsed.count() < time_limit)
     {
       deadly.push_back({ reception.face, "", outcome.reason });
       now.left_out += (now.left_out.empty() ? "" : ",") + std::to_string(reception.face);
