@@ -12,3 +12,12 @@ if prefix not in found.parents:
     sys.exit(f"imported {found}, which is not below {prefix}")
 footpoint.vtkPointInversionFilter()
 footpoint.vtkSplineReader()
+
+if hasattr(footpoint, "vtkCADReader"):
+    # Its answer, not that it could not be started, comes from the program beside the library.
+    try:
+        footpoint.read_cad(__file__)
+        sys.exit("a Python program was read as a CAD file")
+    except ValueError as error:
+        if "it is neither STEP" not in str(error):
+            raise
