@@ -123,8 +123,8 @@ CompleteReading read_completely(const ReadingOptions& options, double time_limit
     }
     // Crashes are quick; waiting for a second face that never ends would only add to the wait.
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (outcome.end == ReadingEnd::Failed && reception.face >= 0 &&
-      deadly.size() < kMostDeaths && elapsed.count() < time_limit)
+    if (outcome.end == ReadingEnd::Failed && reception.face >= 0 && deadly.size() < kMostDeaths &&
+      elapsed.count() < time_limit)
     {
       deadly.push_back({ reception.face, "", outcome.reason });
       now.left_out += (now.left_out.empty() ? "" : ",") + std::to_string(reception.face);

@@ -16,8 +16,8 @@ namespace footpoint::cad
 
 /// An edge's curve in space and the surface it lies on, in the same coordinates.
 ///
-/// Open CASCADE's translators compute curves in (u, v) where a file has none, and miss the edge by far
-/// more than the tolerance that they claim (seen with 7.6: 5e-4 of a circle's radius).
+/// Open CASCADE's translators compute curves in (u, v) where a file has none, and miss the edge by
+/// far more than the tolerance that they claim (seen with 7.6: 5e-4 of a circle's radius).
 struct EdgeOnSurface
 {
   Handle(Geom_Curve) curve;
@@ -33,7 +33,8 @@ struct EdgeOnSurface
   gp_Pnt2d foot(double fraction, const gp_Pnt2d& start) const;
 
   /// Parameters of a point's foot where the surface is a plane with straight parameters, as planes
-  /// and parallelograms are; else none. It is an affine map, so control points go to control points.
+  /// and parallelograms are; else none. It is an affine map, so control points go to control
+  /// points.
   std::optional<gp_Pnt2d> flat_foot(const gp_Pnt& point) const;
 
   /// Fractions of the range at which the curve is not smooth.

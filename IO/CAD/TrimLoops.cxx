@@ -8,8 +8,8 @@
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <ShapeFix_Edge.hxx>
-#include <TopoDS.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
@@ -76,8 +76,8 @@ constexpr int kEdgeSamples = 23;
 
 /// Gives a trim curve the edge that it is farther from than the edge's tolerance, if the edge lies
 /// on the surface any better than the curve.
-void find_missed_edge(TrimCurve& trim, const TopoDS_Edge& edge, const TopLoc_Location& face_location,
-  const Handle(Geom_Surface) & surface)
+void find_missed_edge(TrimCurve& trim, const TopoDS_Edge& edge,
+  const TopLoc_Location& face_location, const Handle(Geom_Surface) & surface)
 {
   TopLoc_Location location;
   EdgeOnSurface on;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of vtkCADReader share: files to read, the reader's outputs as geometry of the core,
-// and the same file as Open CASCADE sees it.
+// What the tests of vtkCADReader share: files to read, the reader's outputs as geometry of the
+// core, and the same file as Open CASCADE sees it.
 
 #ifndef CADTesting_h
 #define CADTesting_h
@@ -214,8 +214,8 @@ inline ReadFace FaceOf(vtkDataObject* block)
   face.surface = std::make_shared<footpoint::Surface>(MakeSurface(face.net));
   for (unsigned int i = 1; trimmed && i < trimmed->GetNumberOfBlocks(); ++i)
   {
-    CHECK(trimmed->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) ==
-      "Loop " + std::to_string(i - 1));
+    CHECK(
+      trimmed->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) == "Loop " + std::to_string(i - 1));
     auto* loop = vtkMultiBlockDataSet::SafeDownCast(trimmed->GetBlock(i));
     CHECK(loop != nullptr && loop->GetNumberOfBlocks() > 0);
     std::vector<footpoint::Curve>& curves = face.loops.emplace_back();

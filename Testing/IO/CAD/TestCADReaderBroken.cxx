@@ -61,7 +61,7 @@ std::vector<std::pair<std::string, std::string>> Originals()
 char Judge(const std::string& path)
 {
   vtkNew<vtkCADReader> reader;
-  reader->SetTimeLimit(20.0);
+  reader->SetTimeLimit(8.0);
   const auto start = std::chrono::steady_clock::now();
   const CadResult result = Read(reader, path);
   const double seconds =
@@ -86,8 +86,8 @@ void TestNoFile()
   CHECK(Contains(Read(folder).errors, "it is no file"));
   CHECK(Contains(Read(WriteBytes("empty.step", "")).errors, "it is empty"));
   CHECK(Contains(Read(WriteBytes("text.step", "some text\n")).errors, "it is neither STEP"));
-  CHECK(Contains(Read(WriteBytes("packed.step.gz", "\x1f\x8b\x08 no gzip")).errors,
-    "it cannot be unpacked"));
+  CHECK(Contains(
+    Read(WriteBytes("packed.step.gz", "\x1f\x8b\x08 no gzip")).errors, "it cannot be unpacked"));
 }
 
 void TestCutOff(const std::vector<std::pair<std::string, std::string>>& originals, int places)

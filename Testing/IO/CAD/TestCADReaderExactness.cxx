@@ -5,6 +5,8 @@
 
 #include "LengthUnits.h"
 
+#include "footpoint/splines/bezier.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepGProp_Face.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -19,14 +21,16 @@ namespace
 {
 
 constexpr int kSamples = 9;
-/// Deviations are relative to the size, and to this part of the distance from the origin: there, the
-/// coordinates themselves have no more digits, and each degree of a spline (up to 11 here) rounds.
+/// Deviations are relative to the size, and to this part of the distance from the origin: there,
+/// the coordinates themselves have no more digits, and each degree of a spline (up to 11 here)
+/// rounds.
 constexpr double kFromOrigin = 4e-3;
 constexpr double kExact = 1e-12;
 
 struct Deviations
 {
   double point = 0.0;  ///< |our point − theirs|, relative
+  double bezier = 0.0; ///< |our point − that of the extracted Bézier piece|, relative
   double normal = 0.0; ///< |our unit normal − theirs|
   double trim = 0.0;   ///< distance of a trim curve from the nearest edge / tolerance of the face
   double gap = 0.0;    ///< largest gap in a loop / size
@@ -37,6 +41,7 @@ struct Deviations
   void Add(const Deviations& other)
   {
     this->point = std::max(this->point, other.point);
+    this->bezier = std::max(this->bezier, other.bezier);
     this->normal = std::max(this->normal, other.normal);
     this->trim = std::max(this->trim, other.trim);
     this->gap = std::max(this->gap, other.gap);
@@ -49,6 +54,40 @@ struct Deviations
 footpoint::Vector3 Vector(const gp_XYZ& p)
 {
   return footpoint::Vector3(p.X(), p.Y(), p.Z());
+}
+
+/// A point of the extracted Bézier piece that holds it, by de Casteljau's construction.
+footpoint::Vector3 BezierPoint(const std::vector<footpoint::BezierPiece<2>>& pieces,
+  const footpoint::Parameter<2>& at)
+{
+  for (const auto& piece : pieces)
+  {
+    if (at[0] < piece.lower[0] || at[0] > piece.upper[0] || at[1] < piece.lower[1] ||
+      at[1] > piece.upper[1])
+    {
+      continue;
+    }
+    const auto cast = [&](Eigen::Matrix<double, 4, Eigen::Dynamic> points, int direction)
+    {
+      const double s =
+        (at[direction] - piece.lower[direction]) / (piece.upper[direction] - piece.lower[direction]);
+      while (points.cols() > 1)
+      {
+        const Eigen::Index left = points.cols() - 1;
+        points = ((1.0 - s) * points.leftCols(left) + s * points.rightCols(left)).eval();
+      }
+      return points;
+    };
+    Eigen::Matrix<double, 4, Eigen::Dynamic> row(4, piece.degree[1] + 1);
+    for (int j = 0; j <= piece.degree[1]; ++j)
+    {
+      const int count = piece.degree[0] + 1;
+      row.col(j) = cast(piece.control.middleCols(j * count, count), 0);
+    }
+    const Eigen::Vector4d point = cast(row, 1);
+    return point.head<3>() / point[3];
+  }
+  throw std::runtime_error("no Bézier piece holds a point of the domain");
 }
 
 /// Loops as fine polygons.
@@ -126,8 +165,7 @@ double EdgeDistance(const TopoDS_Face& face, const gp_Pnt& point, double enough)
   }
   for (TopExp_Explorer vertices(face, TopAbs_VERTEX); vertices.More(); vertices.Next())
   {
-    nearest = std::min(
-      nearest, BRep_Tool::Pnt(TopoDS::Vertex(vertices.Current())).Distance(point));
+    nearest = std::min(nearest, BRep_Tool::Pnt(TopoDS::Vertex(vertices.Current())).Distance(point));
   }
   return nearest;
 }
@@ -153,6 +191,7 @@ Deviations CompareFace(const TopoDS_Face& original, vtkDataObject* block, double
   // A face may wind around its surface more than once.
   const bool as_given = false;
   const auto polygons = Polygons(face);
+  const std::vector<footpoint::BezierPiece<2>> pieces = footpoint::extract_bezier(*face.surface);
   const double orientation = FieldValue(face.net, "Orientation");
   const double size = face.surface->size();
 
@@ -177,6 +216,9 @@ Deviations CompareFace(const TopoDS_Face& original, vtkDataObject* block, double
       found.point = std::max(found.point,
         (point - Vector(surface->Value(u, v).XYZ()) / scale).norm() /
           (size + kFromOrigin * point.norm()));
+      const footpoint::Vector3 extracted = face.surface->centre() + BezierPoint(pieces, at);
+      found.bezier = std::max(
+        found.bezier, (point - extracted).norm() / (size + kFromOrigin * point.norm()));
 
       gp_Pnt position;
       gp_Vec outward;
@@ -236,8 +278,9 @@ double CompareEdge(const TopoDS_Edge& original, vtkStructuredGrid* net, double s
     const footpoint::Vector3 p = scale * At(curve, t);
     const gp_Pnt point(p[0], p[1], p[2]);
     // The parameters agree at knots; elsewhere the foot is close to the same parameter.
-    double distance = theirs.Value(std::min(theirs.LastParameter(),
-      std::max(theirs.FirstParameter(), t))).Distance(point);
+    double distance =
+      theirs.Value(std::min(theirs.LastParameter(), std::max(theirs.FirstParameter(), t)))
+        .Distance(point);
     double first = 0.0;
     double last = 0.0;
     const Handle(Geom_Curve) geometry = BRep_Tool::Curve(original, first, last);
@@ -264,8 +307,8 @@ void CompareFile(const std::string& file)
   {
     vtkDataObject* block = result.model->GetBlock(i);
     const std::string unit = FieldText(FaceOf(block).net, "LengthUnit");
-    const Deviations found = CompareFace(
-      original.face(static_cast<int>(i)), block, footpoint::cad::millimetres_in(unit));
+    const Deviations found =
+      CompareFace(original.face(static_cast<int>(i)), block, footpoint::cad::millimetres_in(unit));
     total.Add(found);
   }
   double edges = 0.0;
@@ -280,11 +323,12 @@ void CompareFile(const std::string& file)
     edges = std::max(edges, found);
   }
   std::cout << std::filesystem::path(file).filename().string() << ": " << total.faces
-            << " faces, point " << total.point << ", normal " << total.normal << ", trim "
+            << " faces, point " << total.point << ", Bézier " << total.bezier << ", normal " << total.normal << ", trim "
             << total.trim << " tolerances, gap " << total.gap << ", region " << total.different
-            << " of " << total.compared << ", edges " << edges << " (edge "
-            << worst_edge << ")" << std::endl;
+            << " of " << total.compared << ", edges " << edges << " (edge " << worst_edge << ")"
+            << std::endl;
   CHECK(total.point <= kExact);
+  CHECK(total.bezier <= kExact);
   CHECK(total.normal <= 1e-9);
   CHECK(edges <= kExact);
   CHECK(total.different == 0);

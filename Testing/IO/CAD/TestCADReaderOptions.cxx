@@ -143,8 +143,8 @@ void TestOffsetSurface()
   const Handle(Geom_Surface) bent =
     new Geom_SurfaceOfLinearExtrusion(new Geom_BezierCurve(poles), gp_Dir(0, 0, 1));
   const Handle(Geom_Surface) offset = new Geom_OffsetSurface(bent, 0.1);
-  const std::string path = WriteBrep(
-    BRepBuilderAPI_MakeFace(offset, 0.0, 1.0, 0.0, 2.0, 1e-7).Face(), "offset.brep");
+  const std::string path =
+    WriteBrep(BRepBuilderAPI_MakeFace(offset, 0.0, 1.0, 0.0, 2.0, 1e-7).Face(), "offset.brep");
   const CadResult result = Read(path);
   CHECK(result.errors.empty());
   CHECK(Contains(result.warnings, "face 0 has a surface that is no NURBS surface"));
