@@ -73,7 +73,7 @@ class RealFiles(unittest.TestCase):
         self.assertLess(result.distance.max(), 1e-12 * size)
 
     def test_parts(self):
-        parts = footpoint.read_cad_parts(FILES / "ubend2.stp", deflection=0.5)
+        parts = footpoint.read_cad_parts(FILES / "ubend2.stp", angular_deflection=30.0)
         self.assertEqual(parts.model.GetNumberOfBlocks(), 4)
         self.assertEqual(parts.edges.GetNumberOfBlocks(), 12)
         self.assertGreater(parts.mesh.GetNumberOfCells(), 10)
