@@ -66,19 +66,27 @@ def set_geometry(algorithm, geometry):
     """Gives an algorithm its geometry, whatever kind it is of."""
     if isinstance(geometry, vtkParametricFunction):
         algorithm.SetParametricFunction(geometry)
-    elif isinstance(geometry, vtkAlgorithm):
-        algorithm.SetSourceConnection(geometry.GetOutputPort())
-    elif isinstance(geometry, vtkAlgorithmOutput):
-        algorithm.SetSourceConnection(geometry)
-    elif isinstance(geometry, vtkDataObject):
-        algorithm.SetSourceData(geometry)
-    elif isinstance(geometry, (list, tuple)):
-        algorithm.SetSourceData(to_model(geometry))
     else:
-        raise TypeError(
-            f"geometry is a {type(geometry).__name__}; VTK data, a vtkParametricFunction, an "
-            "algorithm or a list of faces is needed"
+        connect(
+            geometry,
+            algorithm.SetSourceConnection,
+            algorithm.SetSourceData,
+            "VTK data, a vtkParametricFunction, an algorithm or a list of faces",
         )
+
+
+def connect(geometry, set_connection, set_data, kinds="VTK data, an algorithm or a list of faces"):
+    """Hands geometry to the input of an algorithm that these setters set; TypeError for other kinds."""
+    if isinstance(geometry, vtkAlgorithm):
+        set_connection(geometry.GetOutputPort())
+    elif isinstance(geometry, vtkAlgorithmOutput):
+        set_connection(geometry)
+    elif isinstance(geometry, vtkDataObject):
+        set_data(geometry)
+    elif isinstance(geometry, (list, tuple)):
+        set_data(to_model(geometry))
+    else:
+        raise TypeError(f"geometry is a {type(geometry).__name__}; {kinds} is needed")
 
 
 def _message(text):

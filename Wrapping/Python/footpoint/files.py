@@ -3,11 +3,8 @@
 
 import os
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
-
 from ._options import set_options
-from ._pipeline import run, to_model
+from ._pipeline import connect, run
 from .vtkFootpointIO import vtkSplineReader, vtkSplineWriter
 
 
@@ -68,19 +65,7 @@ def write_splines(geometry, path, format="Auto"):
         `geometry` is of a type that is none of those.
     """
     writer = vtkSplineWriter()
-    if isinstance(geometry, vtkAlgorithm):
-        writer.SetInputConnection(geometry.GetOutputPort())
-    elif isinstance(geometry, vtkAlgorithmOutput):
-        writer.SetInputConnection(geometry)
-    elif isinstance(geometry, vtkDataObject):
-        writer.SetInputDataObject(geometry)
-    elif isinstance(geometry, (list, tuple)):
-        writer.SetInputDataObject(to_model(geometry))
-    else:
-        raise TypeError(
-            f"geometry is a {type(geometry).__name__}; VTK data, an algorithm or a list of faces is "
-            "needed"
-        )
+    connect(geometry, writer.SetInputConnection, writer.SetInputDataObject)
     writer.SetFileName(os.fspath(path))
     set_options(writer, {"format": format}, "write_splines")
     run(writer)
