@@ -62,6 +62,18 @@ TEST(TrimmedFaces, IslandInAHole)
   expect_foot(inverter.find({ 0.8, 0, 1 }), { 1, 0, 0 }, std::sqrt(1.04), FootType::Edge);
 }
 
+TEST(TrimmedFaces, OpenEdgesAreCounted)
+{
+  EXPECT_EQ(PointInverter({ plate(false) }).number_of_open_edges(), 5); // sides and the hole
+  EXPECT_EQ(PointInverter(model_of(trims::flat())).number_of_open_edges(), 4);
+  EXPECT_EQ(PointInverter(model_of(shapes::sphere())).number_of_open_edges(), 0);
+  EXPECT_EQ(PointInverter(model_of(shapes::torus())).number_of_open_edges(), 0);
+  EXPECT_EQ(
+    PointInverter(model_of(shapes::cylinder(10.0, 360.0, 4))).number_of_open_edges(), 2);
+  // Two squares side by side have one border in common.
+  EXPECT_EQ(PointInverter(model_of(trims::flat(0, 1), trims::flat(1, 2))).number_of_open_edges(), 6);
+}
+
 /// Faces with loops over surfaces of several kinds, in parts of their domain.
 struct Case
 {

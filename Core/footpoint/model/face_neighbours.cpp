@@ -25,6 +25,11 @@ constexpr int kStarts = 4;
 constexpr int kSteps = 10;
 constexpr double kLastStep = 1e-9;
 
+/// How far from a point the borders of other faces are looked for at first, as a fraction of the
+/// model's size, and by how much farther each time that there are none.
+constexpr double kFirstReach = 1e-4;
+constexpr double kFarther = 10.0;
+
 /// Into how many wedges a collapsed side is divided, where a face has a pole at its vertex.
 constexpr int kPoleWedges = 16;
 
@@ -74,9 +79,36 @@ Sides<2> sides_at(const Surface& surface, const Parameter<2>& at)
 
 } // namespace
 
-FaceNeighbours::FaceNeighbours(const Model& model, double size)
+std::int64_t number_of_open_sides(const Model& model)
 {
-  this->add_rims(model, size);
+  std::int64_t count = 0;
+  for (const Face& face : model)
+  {
+    const std::vector<SharedBorders> shared = find_shared_borders(face);
+    for (std::size_t k = 0; k < face.patches.size(); ++k)
+    {
+      const ParametricSurface* surface = face.patches[k].surface.get();
+      for (int i = 0; surface && i < 2; ++i)
+      {
+        const Direction& direction = surface->direction(i);
+        for (int end = 0; end < 2; ++end)
+        {
+          count += !direction.closed && !direction.collapsed[end] && !shared[k].shared[i][end];
+        }
+      }
+    }
+  }
+  return count;
+}
+
+FaceNeighbours::FaceNeighbours(const Model& model, double size)
+  : Sewing(kSewing * size)
+  , FirstReach(kFirstReach * size)
+{
+  this->add_rims(model);
+  this->LargestTolerance = this->Tolerances.empty()
+    ? this->Sewing
+    : *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
   this->add_parts(size);
   this->add_vertices();
   for (std::size_t k = 0; k < this->Rims.size(); ++k)
@@ -84,7 +116,7 @@ FaceNeighbours::FaceNeighbours(const Model& model, double size)
     const Rim& rim = this->Rims[k];
     const Parameter<1> middle(0.5 * rim.curve->direction(0).length);
     const std::vector<Passage> here =
-      this->passages(rim.curve->centre() + rim.curve->point(middle), rim.tolerance);
+      this->meeting(rim.curve->centre() + rim.curve->point(middle), rim.face).passages;
     const bool met = std::any_of(
       here.begin(), here.end(), [k](const Passage& passage) { return passage.rim != k; });
     this->OpenEdges += !met;
@@ -99,7 +131,7 @@ void FaceNeighbours::add_parts(double size)
     const Rim& rim = this->Rims[k];
     this->Centre = k == 0 ? rim.curve->centre() : this->Centre;
     const EdgePieces pieces = edge_pieces(*rim.curve, kRimTolerance * size);
-    const Vector3 around = Vector3::Constant(pieces.error + rim.tolerance);
+    const Vector3 around = Vector3::Constant(pieces.error);
     for (const BezierPiece<1>& piece : pieces.pieces)
     {
       const std::array<Vector3, 2> box = bounding_box<1>(piece);
@@ -114,7 +146,7 @@ void FaceNeighbours::add_parts(double size)
   this->Tree = BoxTree(boxes);
 }
 
-/// The ends of all rims, those within the tolerance once.
+/// The ends of all rims, those that are one by their files' digits once.
 void FaceNeighbours::add_vertices()
 {
   std::vector<Vector3> points;
@@ -136,27 +168,24 @@ void FaceNeighbours::add_vertices()
     {
       continue;
     }
-    const double tolerance = this->Rims[k / 2].tolerance;
     visit_near_boxes(
-      ends, points[k] - this->Centre, [tolerance] { return tolerance; },
+      ends, points[k] - this->Centre, [this] { return this->Sewing; },
       [&](std::int32_t index) { done[index] = true; });
     this->Vertices.push_back(
-      { points[k], tolerance, this->weighted_normals(points[k], tolerance) });
-    const Vector3 around = Vector3::Constant(tolerance);
+      { points[k], this->weighted_normals(this->meeting(points[k], this->Rims[k / 2].face)) });
     const Vector3 at = points[k] - this->Centre;
-    boxes.push_back({ { at - around, at + around } });
+    boxes.push_back({ { at, at } });
   }
   this->VertexTree = BoxTree(boxes);
 }
 
-void FaceNeighbours::add_rims(const Model& model, double size)
+void FaceNeighbours::add_rims(const Model& model)
 {
   for (std::size_t f = 0; f < model.size(); ++f)
   {
     const Face& face = model[f];
     this->Reversed.push_back(face.reversed);
-    const double tolerance = std::max(face.tolerance, kSewing * size);
-    this->Tolerances.push_back(tolerance);
+    this->Tolerances.push_back(std::max(face.tolerance, this->Sewing));
     const std::vector<SharedBorders> shared = find_shared_borders(face);
     for (std::size_t i = 0; i < face.patches.size(); ++i)
     {
@@ -173,7 +202,7 @@ void FaceNeighbours::add_rims(const Model& model, double size)
       {
         if (face.region || !is_shared(shared[i], edge->arcs().front().curve))
         {
-          this->Rims.push_back({ static_cast<int>(f), edge, tolerance });
+          this->Rims.push_back({ static_cast<int>(f), edge });
         }
       }
     }
@@ -226,15 +255,16 @@ FaceNeighbours::Passage FaceNeighbours::descend(
 }
 
 std::vector<FaceNeighbours::Passage> FaceNeighbours::passages(
-  const Vector3& point, double tolerance) const
+  const Vector3& point, int face, double reach) const
 {
   std::vector<Passage> result;
   visit_near_boxes(
-    this->Tree, point - this->Centre, [tolerance] { return tolerance; },
+    this->Tree, point - this->Centre, [reach] { return reach; },
     [&](std::int32_t index)
     {
       const Part& part = this->Parts[index];
-      const double within = std::max(tolerance, this->Rims[part.rim].tolerance);
+      const double within = std::min(
+        reach, std::max(this->Tolerances[face], this->Tolerances[this->Rims[part.rim].face]));
       const Passage here = this->nearest_on(part, point, within);
       if (here.distance > within)
       {
@@ -255,6 +285,26 @@ std::vector<FaceNeighbours::Passage> FaceNeighbours::passages(
   std::sort(result.begin(), result.end(),
     [](const Passage& a, const Passage& b) { return a.rim < b.rim; });
   return result;
+}
+
+/// Within a small reach first, since a large tolerance is no reason to take an edge for its end; where
+/// no other face is met, farther, up to the tolerances.
+FaceNeighbours::Meeting FaceNeighbours::meeting(const Vector3& point, int face) const
+{
+  Meeting result;
+  result.point = point;
+  result.reach = std::min(this->Tolerances[face], this->FirstReach);
+  for (;;)
+  {
+    result.passages = this->passages(point, face, result.reach);
+    const bool met = std::any_of(result.passages.begin(), result.passages.end(),
+      [&](const Passage& passage) { return this->Rims[passage.rim].face != face; });
+    if (met || result.reach >= this->LargestTolerance)
+    {
+      return result;
+    }
+    result.reach = std::min(kFarther * result.reach, this->LargestTolerance);
+  }
 }
 
 Vector3 FaceNeighbours::normal(std::size_t rim, double t) const
@@ -349,27 +399,26 @@ Vector3 FaceNeighbours::wedges(
 
 Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
 {
-  const double tolerance = this->Tolerances[face];
   const Vertex* vertex = nullptr;
-  double nearest = INFINITY;
+  double nearest = this->Sewing;
   visit_near_boxes(
-    this->VertexTree, point - this->Centre, [tolerance] { return tolerance; },
+    this->VertexTree, point - this->Centre, [&nearest] { return nearest; },
     [&](std::int32_t index)
     {
       const Vertex& here = this->Vertices[index];
       const double distance = (here.point - point).norm();
-      if (distance <= std::max(tolerance, here.tolerance) && distance < nearest)
+      if (distance <= nearest)
       {
         vertex = &here;
         nearest = distance;
       }
     });
-  return vertex ? vertex->pseudonormal : this->weighted_normals(point, tolerance);
+  return vertex ? vertex->pseudonormal : this->weighted_normals(this->meeting(point, face));
 }
 
-Vector3 FaceNeighbours::weighted_normals(const Vector3& point, double tolerance) const
+Vector3 FaceNeighbours::weighted_normals(const Meeting& meeting) const
 {
-  const std::vector<Passage> here = this->passages(point, tolerance);
+  const std::vector<Passage>& here = meeting.passages;
   Vector3 sum = Vector3::Zero();
   const double pi = std::acos(-1.0);
   std::vector<int> faces;
@@ -392,9 +441,8 @@ Vector3 FaceNeighbours::weighted_normals(const Vector3& point, double tolerance)
       }
       const EdgeCurve& curve = *rim.curve;
       const double length = curve.direction(0).length;
-      const double within = std::max(tolerance, rim.tolerance);
       const auto is_at = [&](double t)
-      { return (curve.centre() + curve.point(Parameter<1>(t)) - point).norm() <= within; };
+      { return (curve.centre() + curve.point(Parameter<1>(t)) - meeting.point).norm() <= meeting.reach; };
       const bool at_start = is_at(0.0);
       const bool at_end = is_at(length);
       if (at_end)

@@ -16,6 +16,10 @@ namespace footpoint
 /// where no face has a tolerance: files are written with six digits and more.
 constexpr double kSewing = 1e-6;
 
+/// Sides of the surfaces of a model that are neither closed, nor one point, nor shared with another
+/// patch of the face: its borders, where it is known that no two of them meet.
+std::int64_t number_of_open_sides(const Model& model);
+
 /// Which faces of a model meet at their borders, found by distance, so that distances from edges and
 /// vertices get their sign: of the sum of the normals of all faces that meet there, each weighted by
 /// the angle that the face fills (J. A. Bærentzen and H. Aanæs 2005). Built once; const and
@@ -38,7 +42,6 @@ private:
   {
     int face;
     std::shared_ptr<const EdgeCurve> curve;
-    double tolerance;
   };
   /// A part of a rim, in a box of the tree.
   struct Part
@@ -54,7 +57,6 @@ private:
   struct Vertex
   {
     Vector3 point;
-    double tolerance;
     Vector3 pseudonormal;
   };
   /// Where a rim passes through a point.
@@ -65,11 +67,20 @@ private:
     double distance;
   };
 
-  void add_rims(const Model& model, double size);
+  /// All rims that pass through a point, to within a reach.
+  struct Meeting
+  {
+    Vector3 point;
+    double reach;
+    std::vector<Passage> passages;
+  };
+
+  void add_rims(const Model& model);
   void add_parts(double size);
   void add_vertices();
-  Vector3 weighted_normals(const Vector3& point, double tolerance) const;
-  std::vector<Passage> passages(const Vector3& point, double tolerance) const;
+  Meeting meeting(const Vector3& point, int face) const;
+  Vector3 weighted_normals(const Meeting& meeting) const;
+  std::vector<Passage> passages(const Vector3& point, int face, double reach) const;
   Passage nearest_on(const Part& part, const Vector3& point, double tolerance) const;
   Passage descend(const Part& part, const Vector3& local, double fraction) const;
   Vector3 normal(std::size_t rim, double t) const;
@@ -79,7 +90,10 @@ private:
 
   std::vector<Rim> Rims;
   std::vector<bool> Reversed; ///< of each face
-  std::vector<double> Tolerances;
+  std::vector<double> Tolerances; ///< of each face, in model units
+  double LargestTolerance = 0.0;
+  double Sewing;
+  double FirstReach;
   std::vector<Part> Parts;
   BoxTree Tree;
   std::vector<Vertex> Vertices;

@@ -69,7 +69,7 @@ double PointInverter::size() const
 std::int64_t PointInverter::number_of_open_edges() const
 {
   const FaceNeighbours* neighbours = this->Data->Prepared->neighbours();
-  return neighbours ? neighbours->number_of_open_edges() : 0;
+  return neighbours ? neighbours->number_of_open_edges() : number_of_open_sides(this->model());
 }
 
 Foot PointInverter::find(const Vector3& point, const Start& start) const

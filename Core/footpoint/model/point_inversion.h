@@ -94,8 +94,8 @@ public:
   /// Diagonal of the bounding box of all control points.
   double size() const;
 
-  /// Borders of faces at which no other face is found (see Face::tolerance); 0 where the model is
-  /// closed, so that signed distances are negative inside, or has no two surfaces that could meet.
+  /// Borders of surfaces at which no other is found (see Face::tolerance): 0 where the model is
+  /// closed, so that signed distances are negative inside if normals point outward.
   std::int64_t number_of_open_edges() const;
 
   /// The foot of one point.
