@@ -145,6 +145,15 @@ int vtkCADReader::RequestData(
     vtkWarningMacro(<< this->FileName << ": " << warning);
   }
   const ReceivedModel& model = reading.model;
+  if (model.faces.empty() && model.edges.empty())
+  {
+    vtkErrorMacro(<< this->FileName << ": no face and no edge can be read"
+                  << (model.skipped_faces.empty() ? "" : "; ")
+                  << (model.skipped_faces.empty() ? "" : label("face", model.skipped_faces.front()))
+                  << (model.skipped_edges.empty() ? "" : "; ")
+                  << (model.skipped_edges.empty() ? "" : label("edge", model.skipped_edges.front())));
+    return 0;
+  }
   for (const SkippedPart& face : model.skipped_faces)
   {
     vtkWarningMacro(<< this->FileName << ": " << label("face", face));
