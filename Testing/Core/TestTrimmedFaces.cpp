@@ -2,8 +2,8 @@
 
 // The nearest point of trimmed faces: closed forms, and against an oracle by brute force.
 
-#include "Inversion.h"
-#include "TrimmedOracle.h"
+#include "FootJudge.h"
+#include "RandomFaces.h"
 
 #include <gtest/gtest.h>
 
@@ -82,40 +82,6 @@ struct Case
   std::vector<TrimLoop> loops;
 };
 
-TrimLoop scaled(const Surface& surface, const TrimLoop& loop)
-{
-  TrimLoop result;
-  for (const auto& curve : loop.curves)
-  {
-    footpoint::Points points = curve->local_control_points().colwise() + curve->centre();
-    for (int i = 0; i < 2; ++i)
-    {
-      const footpoint::Direction& direction = surface.direction(i);
-      points.row(i) = (direction.origin + direction.length * points.row(i).array()).matrix();
-    }
-    result.curves.push_back(
-      std::make_shared<footpoint::Curve>(curve->knots(), points, curve->weights()));
-  }
-  return result;
-}
-
-/// A closed smooth wave around (u, v).
-TrimLoop wave(double u, double v, double radius, int waves, double depth)
-{
-  const int count = 8 * waves;
-  footpoint::Points points = footpoint::Points::Zero(3, count + 3);
-  for (int k = 0; k < count + 3; ++k)
-  {
-    const double angle = 2.0 * std::acos(-1.0) * k / count;
-    const double r = radius * (1.0 + depth * std::cos(waves * angle));
-    points.col(k).head<2>() << u + r * std::cos(angle), v + r * std::sin(angle);
-  }
-  TrimLoop loop;
-  loop.curves.push_back(std::make_shared<footpoint::Curve>(
-    footpoint::KnotVector(3, shapes::uniform_knots(3, count)), points));
-  return loop;
-}
-
 std::vector<Case> cases()
 {
   std::vector<Case> result;
@@ -123,69 +89,63 @@ std::vector<Case> cases()
   {
     for (TrimLoop& loop : loops)
     {
-      loop = scaled(surface, loop);
+      loop = trims::moved(surface, loop);
     }
     result.push_back({ name, surface, std::move(loops) });
   };
   add("saddle with a hole", shapes::saddle(),
     { trims::rectangle(0, 0, 1, 1), trims::reversed(trims::circle(0.5, 0.5, 0.3)) });
-  add("sphere in a wave", shapes::sphere(), { wave(0.5, 0.5, 0.3, 5, 0.3) });
+  add("sphere in a wave", shapes::sphere(), { trims::wave(0.5, 0.5, 0.3, 5, 0.3) });
   add("torus with a window", shapes::torus(),
-    { trims::rectangle(0.1, 0.2, 0.8, 0.9), trims::reversed(wave(0.5, 0.5, 0.15, 3, 0.2)) });
-  add("bumpy in a wave", shapes::bumpy(8, 3), { wave(0.5, 0.5, 0.4, 7, 0.2) });
+    { trims::rectangle(0.1, 0.2, 0.8, 0.9), trims::reversed(trims::wave(0.5, 0.5, 0.15, 3, 0.2)) });
+  add("bumpy in a wave", shapes::bumpy(8, 3), { trims::wave(0.5, 0.5, 0.4, 7, 0.2) });
   add("bumpy with holes", shapes::bumpy(12, 5),
     { trims::rectangle(0, 0, 1, 1), trims::reversed(trims::circle(0.3, 0.3, 0.2)),
       trims::reversed(trims::circle(0.7, 0.7, 0.2)), trims::circle(0.7, 0.7, 0.1) });
   add("cylinder with a hole", shapes::cylinder(),
     { trims::rectangle(0, 0, 1, 1), trims::reversed(trims::circle(0.5, 0.5, 0.2)) });
-  add("cusp", shapes::cusp(), { wave(0.5, 0.5, 0.35, 4, 0.1) });
+  add("cusp", shapes::cusp(), { trims::wave(0.5, 0.5, 0.35, 4, 0.1) });
   add("a thin strip", shapes::bumpy(6, 9), { trims::rectangle(0.1, 0.4, 0.9, 0.4005) });
   return result;
 }
 
 TEST(TrimmedFaces, NoPointIsNearerThanTheFoot)
 {
-  const char* queries = std::getenv("FOOTPOINT_TRIM_QUERIES");
-  const int count = queries ? std::atoi(queries) : 60;
+  shapes::Random random(7);
   for (const Case& one : cases())
   {
     SCOPED_TRACE(one.name);
-    const PointInverter inverter({ trimmed(one.surface, one.loops) });
-    const trims::TrimmedOracle oracle(one.surface, one.loops);
-    const double size = inverter.size();
-    shapes::Random random(7);
-    int uncertified = 0;
-    for (int k = 0; k < count; ++k)
+    judge::Tally tally;
+    judge::Judge(one.name, { trimmed(one.surface, one.loops) }).ask(66, random, tally);
+    EXPECT_EQ(tally.wrong(), 0u) << tally;
+    EXPECT_EQ(tally.uncertified, 0u);
+  }
+}
+
+/// Files leave trim curves along the border of the domain beside it by a rounding: what lies
+/// between is neither trimmed away nor an edge of its own.
+TEST(TrimmedFaces, CurvesBesideTheBorderAreOnIt)
+{
+  for (const double off : { 3e-13, -3e-13 })
+  {
+    const auto side = [off](double u0, double v0, double u1, double v1)
     {
-      // On, near, off and far from the untrimmed surface.
-      const double away[4] = { 0.0, 1e-3, 0.1, 3.0 };
-      Parameter<2> t;
-      for (int i = 0; i < 2; ++i)
-      {
-        t(i) = random.uniform(0.0, 1.0) * one.surface.direction(i).length;
-      }
-      Vector3 query = one.surface.centre() + one.surface.point(t);
-      for (int i = 0; i < 3; ++i)
-      {
-        query(i) += away[k % 4] * size * random.uniform(-1.0, 1.0);
-      }
-      const Foot foot = inverter.find(query);
-      uncertified += foot.status != Status::Certified;
-      const auto nearest = static_cast<double>(oracle.nearest(query));
-      EXPECT_LE(foot.distance, nearest + 1e-12 * size)
-        << "query " << k << ": " << query.transpose() << " foot " << foot.parameter.transpose()
-        << " status " << static_cast<int>(foot.status);
-      // The foot is a point of the face.
-      const trims::Real2 at{ { foot.parameter(0), foot.parameter(1) } };
-      EXPECT_LE((oracle.point(at) - foot.point.cast<trims::Real>()).norm(), 1e-13 * size);
-      EXPECT_NEAR((foot.point - query).norm(), foot.distance, 1e-13 * (size + foot.distance));
-      EXPECT_TRUE(oracle.keeps(at) || oracle.distance_to_loops(at) < 1e-4) << k;
-      if (foot.type == FootType::Interior)
-      {
-        EXPECT_GE(foot.distance, 0.0);
-      }
-    }
-    EXPECT_EQ(uncertified, 0);
+      footpoint::Points points = footpoint::Points::Zero(3, 3);
+      points.col(0).head<2>() << u0, v0;
+      points.col(1).head<2>() << 0.5 * (u0 + u1) + off, 0.5 * (v0 + v1) + off;
+      points.col(2).head<2>() << u1, v1;
+      return std::make_shared<footpoint::Curve>(
+        footpoint::KnotVector(2, { 0, 0, 0, 1, 1, 1 }), points);
+    };
+    TrimLoop loop;
+    loop.curves = { side(0, 0, 1, 0), side(1, 0, 1, 1), side(1, 1, 0, 1), side(0, 1, 0, 0) };
+    const PointInverter inverter({ trimmed(trims::flat(), { loop }) });
+    expect_foot(inverter.find({ 0.3, 0.5, 2 }), { 0.3, 0.5, 0 }, 2.0, FootType::Interior);
+    expect_foot(inverter.find({ 0.3, 3, 0 }), { 0.3, 1, 0 }, 2.0, FootType::Edge);
+    expect_foot(inverter.find({ 0.3, -3, 0 }), { 0.3, 0, 0 }, 3.0, FootType::Edge);
+    expect_foot(inverter.find({ -3, 0.7, 0 }), { 0, 0.7, 0 }, 3.0, FootType::Edge);
+    expect_foot(inverter.find({ 4, 0.7, 0 }), { 1, 0.7, 0 }, 3.0, FootType::Edge);
+    expect_foot(inverter.find({ 4, 5, 0 }), { 1, 1, 0 }, 5.0, FootType::Vertex);
   }
 }
 

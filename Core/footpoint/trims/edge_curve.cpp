@@ -130,6 +130,9 @@ bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs)
 constexpr int kSeamPlaces = 8;
 constexpr double kBesideSeam = 1e-9;
 
+/// Of w·u against w times the border, relatively.
+constexpr double kProductRounding = 0x1p-51;
+
 /// The direction and the end of it along whose border of the domain an arc runs; −1: along none.
 struct DomainBorder
 {
@@ -146,7 +149,8 @@ DomainBorder border_of(const Surface& surface, const TrimArc& arc)
     {
       const double border = end == 0 ? 0.0 : length;
       const auto off = arc.control.row(i).array() - border * arc.control.row(2).array();
-      if ((off.abs() <= kBorderRounding * length * arc.control.row(2).array()).all())
+      // Arcs near a border were moved onto it; products with weights may round.
+      if ((off.abs() <= kProductRounding * length * arc.control.row(2).array()).all())
       {
         return { i, end };
       }

@@ -52,6 +52,14 @@ void check_planar(const Curve& curve, const TrimPlane& plane, const std::string&
   }
 }
 
+/// Whether all of an arc lies on a border of the domain (NaN: on none) up to the rounding of files. The
+/// strip between the two would be neither kept nor told from the border.
+bool is_along(const ChainArc& arc, int i, double border, const TrimPlane& plane)
+{
+  const auto x = arc.arc.control.row(i).array() / arc.arc.control.row(2).array();
+  return !std::isnan(border) && ((x - border).abs() <= plane.border_rounding(i)).all();
+}
+
 /// The Bézier arcs of a curve in the local parameters of the surface.
 void append_arcs(
   const Curve& curve, int loop, int number, const TrimPlane& plane, std::vector<ChainArc>& arcs)
@@ -81,9 +89,14 @@ void append_arcs(
       arc.arc.control.col(last).head<2>() / weights[last] } };
     for (int i = 0; i < 2; ++i)
     {
+      const double border = plane.border_near(i, arc.end[0][i]);
       if (is_constant(arc, i, plane.rounding(i)))
       {
         make_constant(arc, i, plane.snapped(i, arc.end[0][i]));
+      }
+      else if (is_along(arc, i, border, plane))
+      {
+        make_constant(arc, i, border);
       }
     }
     arcs.push_back(std::move(arc));
@@ -223,7 +236,10 @@ void weld(LoopChain& chain, int i, const TrimPlane& plane)
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::size_t previous = (k + count - 1) % count;
-    start[k] = plane.snapped(i, arcs[previous].end[1][i]) - (k == 0 ? turn : 0.0);
+    const double border = plane.border_near(i, arcs[k].end[0][i]);
+    start[k] = constant[k] && !std::isnan(border)
+      ? border
+      : plane.snapped(i, arcs[previous].end[1][i]) - (k == 0 ? turn : 0.0);
   }
   std::size_t first = 0; // the first arc after one along which the coordinate changes
   while (first + 1 < count && constant[(first + count - 1) % count])

@@ -28,7 +28,7 @@ double TrimPlane::snapped(int i, double at) const
   const Axis& axis = this->Axes[i];
   if (!axis.closed)
   {
-    const double border = std::max(axis.rounding, kBorderRounding * axis.length);
+    const double border = this->border_rounding(i);
     if (at < 0.0 && at >= -border)
     {
       return 0.0;
@@ -54,6 +54,22 @@ double TrimPlane::snapped(int i, double at) const
   return std::abs(nearest - inside) > axis.rounding ? at
     : axis.closed && nearest == axis.length ? (std::floor(at / axis.length) + 1.0) * axis.length
                                             : period + nearest;
+}
+
+double TrimPlane::border_rounding(int i) const
+{
+  return std::max(this->Axes[i].rounding, kBorderRounding * this->Axes[i].length);
+}
+
+double TrimPlane::border_near(int i, double at) const
+{
+  const Axis& axis = this->Axes[i];
+  const double nearest = std::round(at / axis.length);
+  const double border =
+    (axis.closed ? nearest : std::clamp(nearest, 0.0, 1.0)) * axis.length;
+  return std::abs(at - border) <= this->border_rounding(i)
+    ? border
+    : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<double> TrimPlane::lines_between(int i, double low, double high) const

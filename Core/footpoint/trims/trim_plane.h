@@ -33,6 +33,12 @@ public:
   /// a closed direction lines repeat with the period.
   double snapped(int i, double at) const;
 
+  /// How far from a border of the domain an arc may run and still be on it.
+  double border_rounding(int i) const;
+  /// The border of the domain that a coordinate is within border_rounding() of, else NaN. In a closed
+  /// direction borders repeat with the period.
+  double border_near(int i, double at) const;
+
   /// The lines strictly between two coordinates, ascending.
   std::vector<double> lines_between(int i, double low, double high) const;
 
