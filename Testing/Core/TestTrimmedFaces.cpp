@@ -149,4 +149,16 @@ TEST(TrimmedFaces, CurvesBesideTheBorderAreOnIt)
   }
 }
 
+/// A gap of 4e-10 at a corner is an edge like any other.
+TEST(TrimmedFaces, TheEdgeOfASmallGapCounts)
+{
+  TrimLoop loop;
+  loop.curves = { trims::polyline({ { 0, 0 }, { 0.9, 0 } }),
+    trims::polyline({ { 0.9, 0 }, { 0.9, 1 - 5e-10 } }),
+    trims::polyline({ { 0.9 - 1e-10, 1 }, { 0, 1 } }), trims::polyline({ { 0, 1 }, { 0, 0 } }) };
+  const PointInverter inverter({ trimmed(trims::flat(), { loop }) });
+  expect_foot(
+    inverter.find({ 1.9, 2, 0 }), { 0.9 - 1e-10, 1, 0 }, std::hypot(1 + 1e-10, 1), FootType::Vertex);
+}
+
 } // namespace

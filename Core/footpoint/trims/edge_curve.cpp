@@ -100,10 +100,14 @@ bool has_length(const Surface& surface, const TrimArc& arc)
   return false;
 }
 
+/// Edges that stay within this fraction of the surface's size are one point, that of a neighbour's
+/// end: far below what is certified, above the rounding of a pole.
+constexpr double kOnePoint = 1e-13;
+
 /// Whether all of the run is one point in space.
 bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs)
 {
-  const double tolerance = kClosureTolerance * surface.size();
+  const double tolerance = kOnePoint * surface.size();
   Vector3 first;
   for (std::size_t k = 0; k < arcs.size(); ++k)
   {
