@@ -127,8 +127,8 @@ inline std::vector<std::string> files()
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, none))
     {
       const std::string name = entry.path().string();
-      for (const std::string end : { ".step", ".stp", ".iges", ".igs", ".brep", ".step.gz", ".stp.gz",
-             ".iges.gz", ".igs.gz", ".brep.gz", ".rle" })
+      for (const std::string end : { ".step", ".stp", ".iges", ".igs", ".brep", ".step.gz",
+             ".stp.gz", ".iges.gz", ".igs.gz", ".brep.gz", ".rle" })
       {
         if (name.size() > end.size() && name.substr(name.size() - end.size()) == end)
         {

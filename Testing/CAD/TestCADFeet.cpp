@@ -22,12 +22,12 @@ namespace
 {
 
 using namespace cadtest;
-using judge::Judge;
-using judge::Tally;
 using footpoint::Foot;
 using footpoint::PointInverter;
 using footpoint::Status;
 using footpoint::Vector3;
+using judge::Judge;
+using judge::Tally;
 
 int number_from(const char* variable, int otherwise)
 {
@@ -128,11 +128,12 @@ struct Comparison
 {
   int queries = 0;
   int wrong = 0;
-  int within_tolerance = 0; ///< Open CASCADE's point is nearer, and outside our trims by the tolerance
-  int no_answer = 0;        ///< of Open CASCADE
-  int occt_invalid = 0;     ///< its point is none of the face
-  int occt_farther = 0;     ///< by more than the tolerance
-  double ours = 0.0;        ///< seconds
+  int within_tolerance =
+    0;                  ///< Open CASCADE's point is nearer, and outside our trims by the tolerance
+  int no_answer = 0;    ///< of Open CASCADE
+  int occt_invalid = 0; ///< its point is none of the face
+  int occt_farther = 0; ///< by more than the tolerance
+  double ours = 0.0;    ///< seconds
   double theirs = 0.0;
 };
 
@@ -159,7 +160,8 @@ void compare(const std::string& name, const CADFace& face, int count, shapes::Ra
   const auto& surface = *face.face.patches.front().surface;
   for (int k = 0; k < count; ++k)
   {
-    const auto where = static_cast<judge::Where>(random.integer(0, static_cast<int>(judge::Where::Count) - 1));
+    const auto where =
+      static_cast<judge::Where>(random.integer(0, static_cast<int>(judge::Where::Count) - 1));
     const Vector3 p = judge::query(judged.model(), judged.sizes(), 0, where, random);
     ++comparison.queries;
     const auto begin = Clock::now();
@@ -176,8 +178,8 @@ void compare(const std::string& name, const CADFace& face, int count, shapes::Ra
     }
     const gp_Pnt found = extrema.PointOnShape2(1);
     const double distance = (Vector3(found.X(), found.Y(), found.Z()) - p).norm();
-    double allowed = 1e-12 * size + judge::kRounding * (p.norm() + distance) +
-      face.converted.surface_error;
+    double allowed =
+      1e-12 * size + judge::kRounding * (p.norm() + distance) + face.converted.surface_error;
     // Edges and vertices of Open CASCADE are where they are up to the tolerance.
     bool trimmed_away = true;
     if (extrema.SupportTypeShape2(1) == BRepExtrema_IsInFace)

@@ -2,6 +2,7 @@
 #include "footpoint/model/face_neighbours.h"
 
 #include "footpoint/model/evaluation.h"
+#include "footpoint/model/pole_normal.h"
 #include "footpoint/model/shared_borders.h"
 #include "footpoint/search/box_traversal.h"
 
@@ -29,9 +30,6 @@ constexpr double kLastStep = 1e-9;
 /// model's size, and by how much farther each time that there are none.
 constexpr double kFirstReach = 1e-4;
 constexpr double kFarther = 10.0;
-
-/// Into how many wedges a collapsed side is divided, where a face has a pole at its vertex.
-constexpr int kPoleWedges = 16;
 
 /// Local parameters of one place that differ by more than this part of the domain are two.
 constexpr double kOnePlace = 1e-6;
@@ -65,16 +63,6 @@ bool is_shared(const SharedBorders& shared, int side)
 {
   const bool along_u = side % 2 == 0;
   return shared.shared[along_u ? 1 : 0][side == 1 || side == 2];
-}
-
-Sides<2> sides_at(const Surface& surface, const Parameter<2>& at)
-{
-  Sides<2> sides;
-  for (int i = 0; i < 2; ++i)
-  {
-    sides(i) = at(i) >= surface.direction(i).length ? Side::Left : Side::Right;
-  }
-  return sides;
 }
 
 } // namespace
@@ -339,24 +327,7 @@ Vector3 FaceNeighbours::wedge(const Passage& arriving, const Passage& leaving) c
     {
       continue;
     }
-    // A pole: the fan of the directions in which the surface leaves it.
-    Vector3 sum = Vector3::Zero();
-    Vector3 before = Vector3::Zero();
-    for (int k = 0; k <= kPoleWedges; ++k)
-    {
-      Parameter<2> at = from;
-      at(i) += way * k / kPoleWedges;
-      const Jet<2> jet = surface.jet(at, sides_at(surface, at), 1);
-      const Vector3 here = jet.first.col(other).normalized();
-      if (k > 0)
-      {
-        at(i) -= 0.5 * way / kPoleWedges;
-        sum += std::atan2(before.cross(here).norm(), before.dot(here)) *
-          unit_normal(surface, at, sides_at(surface, at));
-      }
-      before = here;
-    }
-    return sum;
+    return pole_fan(surface, from, i, way);
   }
   const Vector3 normal = this->normal(leaving.rim, 0.0);
   double angle = std::atan2(normal.dot(forth.cross(back)), forth.dot(back));

@@ -3,6 +3,7 @@
 
 #include "footpoint/model/edge_feet.h"
 #include "footpoint/model/evaluation.h"
+#include "footpoint/model/pole_normal.h"
 
 #include <algorithm>
 
@@ -59,16 +60,20 @@ void PointInverter::Implementation::settle_shared_border(Foot& foot, const Vecto
   foot.type = orthogonal ? FootType::Interior : FootType::Kink;
 }
 
-/// The sign of the distance from an edge or a vertex, where the faces that meet there decide.
+/// The sign of the distance from an edge or a vertex, where the faces that meet there decide, or from
+/// a pole inside a face.
 void PointInverter::Implementation::settle_sign(Foot& foot, const Vector3& point) const
 {
   const FaceNeighbours* neighbours = this->Prepared->neighbours();
-  if (!neighbours || foot.on_curve || foot.face < 0 ||
-    (foot.type != FootType::Edge && foot.type != FootType::Vertex))
+  Vector3 normal = Vector3::Zero();
+  if (foot.type == FootType::Degenerate)
   {
-    return;
+    normal = pole_normal(this->Prepared->model()[foot.face], foot.parameter);
   }
-  const Vector3 normal = neighbours->pseudonormal(foot.point, foot.face);
+  else if (neighbours && (foot.type == FootType::Edge || foot.type == FootType::Vertex))
+  {
+    normal = neighbours->pseudonormal(foot.point, foot.face);
+  }
   if (!normal.isZero(0.0))
   {
     foot.signed_distance =
