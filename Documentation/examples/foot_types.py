@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWi
 
 from inspection.drawing import add_text
 from inspection.picture import SIZE, add_renderer, surface_actor, write_small_png
+from inspection.tessellation import tessellate
 
 KINDS = {  # the point that shows each, where its label stands (pixels), its colour
     footpoint.FootType.INTERIOR: ((2.5, -0.95, 1.35), (145, -12), (0.15, 0.35, 0.75)),
@@ -82,7 +83,7 @@ def main(folder):
     window.SetSize(*SIZE)
     renderer = add_renderer(window, (0, 0, *SIZE))
     sheet = folded_sheet()
-    renderer.AddActor(surface_actor(sheet))
+    renderer.AddActor(surface_actor(tessellate(sheet), (0.72, 0.74, 0.77)))
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(2.05, -0.15, 0.4)
     camera.SetPosition(-0.2, -7.0, 6.8)

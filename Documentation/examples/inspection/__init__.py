@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The parts of demo.py: a simulated scan, what its deviations show, a picture and a report."""
+"""Inspection of a scan against a CAD file, which ./demo.sh runs: `python3 -m inspection --help`."""

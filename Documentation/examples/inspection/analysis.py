@@ -1,96 +1,162 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an inspector asks of signed distances on a surface: outliers, damage, statistics."""
+"""What an inspector asks of signed distances: outliers, regions out of tolerance, statistics."""
 
-from dataclasses import dataclass
-from typing import Optional
+from dataclasses import dataclass, field
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersPoints import vtkConnectedPointsFilter, vtkRadiusOutlierRemoval
 
-NEIGHBOURS = 25  # that have to agree with a point
-OUTLIER_LIMIT = 8.0  # times the noise, away from the neighbours' median
-DEFECT_RADIUS = 12.0  # mm, what counts as one defect
-CORE_RADIUS = 3.0  # mm, where its height is measured
+NEIGHBOURHOOD = 3.0  # radius, times the mean distance between points: about 28 neighbours
+NEIGHBOURS = 4  # that have to agree with a point
+AGREEMENT = 8.0  # times the noise: how far neighbours' deviations may differ
+SMALLEST_REGION = 30  # points
+PEAK = 0.02  # the part of a region that its height and place are taken from
+MOVED = 0.5  # a region is moved, not dented, if a motion leaves at most this part of its deviation
 
 
 @dataclass
-class Defect:
-    position: np.ndarray  # (3,), mm, on the nominal surface
-    height: float  # mm, negative for a dent
-    points: int  # beyond the tolerance around it
+class Motion:
+    """The rigid motion of what is around a region that explains its deviations best."""
+
+    shift: np.ndarray  # (3,) of the region's position
+    tilt: float  # degrees
+    explains: bool  # whether it leaves little
+
+
+@dataclass
+class Region:
+    """Points out of tolerance that hang together."""
+
+    position: np.ndarray  # (3,) on the nominal part, where the deviation is largest
+    normal: np.ndarray  # (3,) there
+    height: float  # deviation there, negative inwards
+    points: int
+    faces: list  # number of the face there, then of at most two others with most of its points
+    motion: Motion
 
 
 @dataclass
 class Inspection:
-    points: np.ndarray  # (m, 3), mm
+    points: np.ndarray  # (m, 3)
     result: object  # of footpoint.invert
-    tolerance: float  # mm
+    tolerance: float
+    noise: float  # standard deviation, robust
     outliers: np.ndarray  # (m,) bool, points that their neighbours do not agree with
-    defect: Optional[Defect]  # where neighbours agree on the largest deviation, if out of tolerance
+    regions: list = field(default_factory=list)  # out of tolerance, the highest first
+
+    @property
+    def good(self):
+        """(m,) bool: points that have a foot and are no outliers."""
+        return np.isfinite(self.result.signed_distance) & ~self.outliers
 
 
-def neighbours_medians(feet, distances, which):
-    """The median distance of the nearest points around some of them.
+def point_data(points, **arrays):
+    """(m, 3) points as vtkPolyData, with point arrays."""
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    for name, array in arrays.items():
+        column = numpy_to_vtk(np.ascontiguousarray(array), deep=True)
+        column.SetName(name)
+        data.GetPointData().AddArray(column)
+    return data
 
-    feet: (m, 3) foot points, distances: (m,), which: (k,) indices. Returns (k,).
+
+def lonely(positions, radius):
+    """(m,) bool: points with less than NEIGHBOURS others in a radius."""
+    removal = vtkRadiusOutlierRemoval()
+    removal.SetInputData(point_data(positions, Row=np.arange(len(positions))))
+    removal.SetRadius(radius)
+    removal.SetNumberOfNeighbors(NEIGHBOURS)
+    removal.GenerateOutliersOn()
+    removal.Update()
+    found = np.zeros(len(positions), dtype=bool)
+    rows = removal.GetOutput(1).GetPointData().GetArray("Row")
+    if rows is not None and rows.GetNumberOfTuples() > 0:
+        found[vtk_to_numpy(rows)] = True
+    return found
+
+
+def connected(positions, radius):
+    """(m,) numbers of the groups in which points are nearer to each other than a radius."""
+    groups = vtkConnectedPointsFilter()
+    groups.SetInputData(point_data(positions, Row=np.arange(len(positions))))
+    groups.SetRadius(radius)
+    groups.SetExtractionModeToAllRegions()
+    groups.Update()
+    data = groups.GetOutput().GetPointData()
+    labels = np.empty(len(positions), dtype=int)
+    labels[vtk_to_numpy(data.GetArray("Row"))] = vtk_to_numpy(data.GetArray("RegionLabels"))
+    return labels
+
+
+def inspect(points, result, tolerance, area):
+    """Divides points that are out of tolerance into outliers and regions.
+
+    points: (m, 3); result: of footpoint.invert; area: of the part. Returns an Inspection.
     """
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(feet))
-    cloud = vtkPolyData()
-    cloud.SetPoints(points)
-    locator = vtkStaticPointLocator()
-    locator.SetDataSet(cloud)
-    locator.BuildLocator()
-    ids = vtkIdList()
-    medians = np.empty(len(which))
-    for i, point in enumerate(which):
-        locator.FindClosestNPoints(NEIGHBOURS, feet[point], ids)
-        medians[i] = np.median(distances[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]])
-    return medians
+    distances, feet = result.signed_distance, result.closest_points
+    found = np.isfinite(distances)
+    noise = 1.4826 * np.median(np.abs(distances[found] - np.median(distances[found])))
+    radius = NEIGHBOURHOOD * np.sqrt(area / max(found.sum(), 1))
+    inspection = Inspection(points, result, tolerance, noise, np.zeros(len(points), dtype=bool))
+
+    # Deviations drawn so large that points which do not agree are a radius apart.
+    agreement = AGREEMENT * max(noise, 1e-3 * tolerance)
+    drawn = feet[found] + (radius / agreement * distances[found])[:, None] * result.normals[found]
+    inspection.outliers[found] = lonely(drawn, radius) & (np.abs(distances[found]) > tolerance)
+    # Drawn so, a far point may come to lie on another side of the part: again without good points.
+    beyond = np.abs(distances[found]) > tolerance
+    far = np.abs(distances[found][beyond]) > tolerance + agreement
+    inspection.outliers[np.flatnonzero(found)[beyond]] |= lonely(drawn[beyond], radius) & far
+
+    for sign in (-1.0, 1.0):
+        beyond = np.flatnonzero(inspection.good & (sign * distances > tolerance))
+        if len(beyond) < SMALLEST_REGION:
+            continue
+        labels = connected(feet[beyond], radius)
+        for label in np.flatnonzero(np.bincount(labels) >= SMALLEST_REGION):
+            inspection.regions.append(measure(inspection, beyond[labels == label]))
+    inspection.regions.sort(key=lambda region: -abs(region.height))
+    return inspection
 
 
-def inspect(points, result, tolerance):
-    """Divides the points that are out of tolerance into outliers and damage.
-
-    points: (m, 3); result: of footpoint.invert; tolerance: mm. Returns an Inspection.
-    """
-    feet, distances = result.closest_points, result.signed_distance
-    noise = 1.4826 * np.median(np.abs(distances - np.median(distances)))  # robust
-    suspects = np.flatnonzero(np.abs(distances) > tolerance)
-    medians = neighbours_medians(feet, distances, suspects)
-    outliers = np.zeros(len(distances), dtype=bool)
-    outliers[suspects] = np.abs(distances[suspects] - medians) > OUTLIER_LIMIT * noise
-
-    agreed = np.where(outliers[suspects], 0.0, medians)
-    worst = int(np.argmax(np.abs(agreed))) if len(agreed) else None
-    if worst is None or abs(agreed[worst]) <= tolerance:
-        return Inspection(points, result, tolerance, outliers, None)
-    sign = np.sign(agreed[worst])
-    heights = np.where(outliers, 0.0, sign * distances)
-    defect = measure_defect(feet, heights, suspects[worst], sign, tolerance)
-    return Inspection(points, result, tolerance, outliers, defect)
+def measure(inspection, rows):
+    """The Region of those points."""
+    result = inspection.result
+    distances, feet = result.signed_distance, result.closest_points
+    highest = rows[np.argsort(-np.abs(distances[rows]))][:max(10, round(PEAK * len(rows)))]
+    centre = np.median(feet[highest], axis=0)
+    peak = highest[np.linalg.norm(feet[highest] - centre, axis=1).argmin()]
+    faces, counts = np.unique(result.face[rows], return_counts=True)
+    others = [face for face in faces[np.argsort(-counts)] if face != result.face[peak]]
+    radius = np.linalg.norm(feet[rows] - feet[peak], axis=1).max()
+    return Region(
+        feet[peak], result.normals[peak], np.median(distances[highest]), len(rows),
+        [int(face) for face in (result.face[peak], *others[:2])],
+        fit_motion(inspection, feet[peak], 0.5 * radius))
 
 
-def measure_defect(feet, heights, start, sign, tolerance):
-    """The Defect around a point; heights: (m,) mm, positive where damaged, 0 for outliers."""
-    # The centre: mean of the feet out of tolerance around it, by their excess.
-    position = feet[start]
-    for _ in range(10):
-        near = (heights > tolerance) & (np.linalg.norm(feet - position, axis=1) < DEFECT_RADIUS)
-        position = np.average(feet[near], axis=0, weights=heights[near] - tolerance)
-
-    # The height: of a paraboloid through the points of the core.
-    radius = np.linalg.norm(feet - position, axis=1)
-    core = (radius < CORE_RADIUS) & (heights > tolerance)
-    terms = np.column_stack([np.ones(core.sum()), radius[core] ** 2])
-    height = np.linalg.lstsq(terms, heights[core], rcond=None)[0][0]
-    return Defect(position, sign * height, int(near.sum()))
+def fit_motion(inspection, position, radius):
+    """The Motion of the points in a ball, by least squares: N · (shift + turn × r) = deviation."""
+    result = inspection.result
+    offsets = result.closest_points - position
+    rows = inspection.good & (np.linalg.norm(offsets, axis=1) < radius)
+    normals, distances = result.normals[rows], result.signed_distance[rows]
+    if rows.sum() < SMALLEST_REGION:
+        return Motion(np.zeros(3), 0.0, False)
+    turns = np.cross(offsets[rows] / radius, normals)
+    motion = np.linalg.lstsq(np.hstack([normals, turns]), distances, rcond=1e-3)[0]
+    left = distances - np.hstack([normals, turns]) @ motion
+    explains = np.sqrt(np.mean(left**2)) < MOVED * np.sqrt(np.mean(distances**2))
+    return Motion(motion[:3], np.degrees(np.linalg.norm(motion[3:]) / radius), bool(explains))
 
 
 def statistics(distances, tolerance):
-    """Figures of signed distances in mm, named like those of footpoint.invert."""
+    """Figures of signed distances, named like those of footpoint.invert."""
     magnitude = np.sort(np.abs(distances))
     return {
         "count": len(distances),
@@ -102,3 +168,13 @@ def statistics(distances, tolerance):
         "percentile95": magnitude[int(np.ceil(0.95 * len(magnitude))) - 1],  # nearest rank
         "out_of_tolerance_fraction": np.mean(magnitude > tolerance),
     }
+
+
+def face_rows(inspection, number_of_faces):
+    """Statistics of the good points of every face, None for faces without any."""
+    distances = inspection.result.signed_distance[inspection.good]
+    faces = inspection.result.face[inspection.good]
+    order = np.argsort(faces, kind="stable")
+    limits = np.searchsorted(faces[order], np.arange(number_of_faces + 1))
+    return [statistics(distances[order[a:b]], inspection.tolerance) if b > a else None
+            for a, b in zip(limits[:-1], limits[1:])]

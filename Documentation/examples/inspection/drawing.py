@@ -18,8 +18,9 @@ def signed(value, digits):
     return text[1:] if float(text) == 0.0 else text.replace("-", "\u2212")
 
 
-def add_text(renderer, text, x, y, size=20, colour=DARK, bold=False, justify="Left", angle=0.0):
-    """Text whose baseline is at (x, y)."""
+def add_text(renderer, text, x, y, size=20, colour=DARK, bold=False, justify="Left", angle=0.0,
+             veil=0.0):
+    """Text whose baseline is at (x, y); veil: opacity of the white under it."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.SetPosition(x, y)
@@ -29,6 +30,8 @@ def add_text(renderer, text, x, y, size=20, colour=DARK, bold=False, justify="Le
     style.SetColor(colour)
     style.SetBold(bold)
     style.SetOrientation(angle)
+    style.SetBackgroundColor(1.0, 1.0, 1.0)
+    style.SetBackgroundOpacity(veil)
     getattr(style, f"SetJustificationTo{justify}")()
     renderer.AddActor2D(actor)
 
@@ -60,15 +63,6 @@ def add_cells(renderer, cells, cell_type, colours, width=1.0):
 def add_line(renderer, points, colour=DARK, width=1.5):
     """A polyline."""
     add_cells(renderer, [points], VTK_POLY_LINE, colour, width)
-
-
-def add_dashes(renderer, start, end, colour=DARK, width=1.5, dash=7.0):
-    """A dashed straight line."""
-    start, end = np.array(start, dtype=float), np.array(end, dtype=float)
-    count = int(np.linalg.norm(end - start) / (2.0 * dash)) + 1
-    step = (end - start) / (count - 0.5)
-    lines = [(start + i * step, start + (i + 0.5) * step) for i in range(count)]
-    add_cells(renderer, lines, VTK_POLY_LINE, colour, width)
 
 
 def add_rectangles(renderer, rectangles, colours):

@@ -1,141 +1,166 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The results of an inspection as a .vtp file, as figures and as a report."""
+"""The results of an inspection as files for other programs, and as figures."""
 
-import os
-import platform
+import csv
 
 import footpoint
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from .analysis import statistics
-from .drawing import signed
-from .scan import DENT_DEPTH, NOISE
+from .analysis import face_rows, point_data, statistics
+
+STATE = '''\
+"""Opens an inspection in ParaView: File > Load State, or pvpython. The .vtp files lie beside it."""
+
+import pathlib
+
+from paraview import simple
+
+folder = pathlib.Path(__file__).resolve().parent
+files = [str(folder / name) for name in ("part.vtp", "deviation.vtp")]
+part = simple.XMLPolyDataReader(registrationName="part", FileName=files[:1])
+scan = simple.XMLPolyDataReader(registrationName="deviation", FileName=files[1:])
+good = simple.Threshold(registrationName="without outliers", Input=scan)
+good.Scalars = ["POINTS", "Outlier"]
+good.LowerThreshold, good.UpperThreshold = 0.0, 0.0
+
+view = simple.GetActiveViewOrCreate("RenderView")
+view.UseColorPaletteForBackground = 0
+view.Background = [1.0, 1.0, 1.0]
+nominal = simple.Show(part, view)
+nominal.ColorArrayName = [None, ""]
+nominal.AmbientColor = nominal.DiffuseColor = [0.96, 0.90, 0.62]
+points = simple.Show(good, view)
+points.SetRepresentationType("Surface")
+points.PointSize = 4.0
+points.Ambient, points.Diffuse = 0.45, 0.6
+simple.ColorBy(points, ("POINTS", "SignedDistance"))
+colours = simple.GetColorTransferFunction("SignedDistance")
+colours.ColorSpace = "Diverging"
+colours.RGBPoints = [
+    {low}, 0.085, 0.245, 0.700, 0.0, 0.865, 0.865, 0.865, {high}, 0.720, 0.040, 0.120]
+legend = simple.GetScalarBar(colours, view)
+legend.Title, legend.ComponentTitle = "Deviation [{unit}]", ""
+legend.LabelFormat = legend.RangeLabelFormat = "%+.3g"
+legend.TitleColor = legend.LabelColor = [0.1, 0.1, 0.1]
+points.SetScalarBarVisibility(view, True)
+view.CameraPosition, view.CameraFocalPoint = {position}, {middle}
+view.CameraViewUp = [0.0, 0.0, 1.0]
+view.ResetCamera(True)
+simple.SetActiveSource(good)
+simple.Render(view)
+'''
 
 
-def point_data(points):
-    """(m, 3) points as vtkPolyData."""
-    data = vtkPolyData()
-    data.SetPoints(vtkPoints())
-    data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
-    return data
-
-
-def write_points(path, inspection):
-    """The points as vertices, with the filter's arrays and `Outlier`."""
-    result = inspection.result
-    data = point_data(inspection.points)
-    for name, array in {
-        "SignedDistance": result.signed_distance, "Distance": result.distance,
-        "Parameters": result.parameters, "ClosestPoint": result.closest_points,
-        "Normal": result.normals, "FaceId": result.face, "Status": result.status,
-        "FootType": result.foot_type, "Isolated": result.isolated,
-        "Iterations": result.iterations, "Outlier": inspection.outliers.astype(np.int32),
-    }.items():
-        column = numpy_to_vtk(array, deep=True)
-        column.SetName(name)
-        data.GetPointData().AddArray(column)
-    data.GetPointData().SetActiveScalars("SignedDistance")
-    vertices = vtkVertexGlyphFilter()
-    vertices.SetInputData(data)
+def write_vtp(path, data):
     writer = vtkXMLPolyDataWriter()
-    writer.SetInputConnection(vertices.GetOutputPort())
+    writer.SetInputData(data)
     writer.SetFileName(str(path))
     writer.Write()
 
 
-def largest_gain_of_samples(surface, points, distances, number_of_points=1000):
-    """Brute force: by how much samples of the surface are nearer to points than their feet, in mm.
-
-    1.2 million samples; a part of the points. At most rounding where all feet are nearest points.
-    """
-    u, v = np.meshgrid(np.linspace(0.0, 1.0, 1500), np.linspace(0.0, 1.0, 800))
-    samples = footpoint.evaluate(surface, np.column_stack([u.ravel(), v.ravel()]))
-    locator = vtkStaticPointLocator()
-    cloud = point_data(samples)
-    locator.SetDataSet(cloud)
-    locator.BuildLocator()
-    tested = np.linspace(0, len(points) - 1, number_of_points).astype(int)
-    nearest = samples[[locator.FindClosestPoint(points[i]) for i in tested]]
-    return (distances[tested] - np.linalg.norm(points[tested] - nearest, axis=1)).max()
+def as_vertices(data):
+    vertices = vtkVertexGlyphFilter()
+    vertices.SetInputData(data)
+    vertices.Update()
+    return vertices.GetOutput()
 
 
-FIGURES = {  # of the statistics, in the order of tables: what they are called and how written
-    "count": ("Points", "{:,}"),
-    "minimum": ("Minimum", "{:+.4f} mm"),
-    "maximum": ("Maximum", "{:+.4f} mm"),
-    "mean": ("Mean", "{:+.4f} mm"),
-    "rms": ("RMS", "{:.4f} mm"),
-    "standard_deviation": ("Standard deviation", "{:.4f} mm"),
-    "percentile95": ("95 % of points within", "\u00b1{:.4f} mm"),
-    "out_of_tolerance_fraction": ("Out of tolerance", "{:.2%}"),
-}
+def write_scan(path, points):
+    """Points as .ply, which keeps seven digits."""
+    writer = vtkPLYWriter()
+    writer.SetInputData(as_vertices(point_data(points)))
+    writer.SetFileName(str(path))
+    writer.Write()
 
 
-def as_text(values):
+def point_arrays(inspection):
+    """The filter's arrays by name, and `Outlier`."""
+    result = inspection.result
+    return {
+        "SignedDistance": result.signed_distance, "Distance": result.distance,
+        "Parameters": result.parameters, "ClosestPoint": result.closest_points,
+        "Normal": result.normals, "FaceId": result.face, "Status": result.status,
+        "FootType": result.foot_type, "Isolated": result.isolated,
+        "Iterations": result.iterations, "Outlier": inspection.outliers.astype(np.int32)}
+
+
+def write_points(path, inspection):
+    """The scanned points as vertices, with all arrays."""
+    data = as_vertices(point_data(inspection.points, **point_arrays(inspection)))
+    data.GetPointData().SetActiveScalars("SignedDistance")
+    data.GetPointData().SetActiveNormals("Normal")
+    write_vtp(path, data)
+
+
+def write_points_csv(path, inspection):
+    """A row for every point: coordinates and all arrays."""
+    columns = {"Points": inspection.points, **point_arrays(inspection)}
+    names, numbers = [], []
+    for name, array in columns.items():
+        parts = array.reshape(len(array), -1).T
+        names += [name] if len(parts) == 1 else [f"{name}:{i}" for i in range(len(parts))]
+        numbers += list(parts)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(names)
+        rows.writerows(zip(*(column.tolist() for column in numbers)))
+
+
+FACE_COLUMNS = ("count", "minimum", "maximum", "mean", "rms", "standard_deviation", "percentile95",
+                "out_of_tolerance_fraction")
+
+
+def write_faces_csv(path, part, inspection):
+    """A row for every face, without outliers; faces without points have a count of 0 only."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(["face_id", "name", *FACE_COLUMNS, "unit"])
+        for face, row in enumerate(face_rows(inspection, len(part.names))):
+            values = [row[key] for key in FACE_COLUMNS] if row else [0] + [""] * 7
+            rows.writerow([face, part.names[face], *values, part.unit])
+
+
+def write_state(path, part, lengths, eye):
+    """A ParaView state in Python; eye: unit vector from the part to the camera."""
+    middle = np.reshape(part.mesh.GetBounds(), (3, 2)).mean(axis=1)
+    position = middle + 3.0 * part.size * eye
+    path.write_text(STATE.format(
+        low=-lengths.colour_limit, high=lengths.colour_limit, unit=lengths.unit,
+        position=position.tolist(), middle=middle.tolist()), encoding="utf-8")
+
+
+FIGURES = {  # of the statistics, in the order of tables: what they are called
+    "count": "Points", "minimum": "Minimum", "maximum": "Maximum", "mean": "Mean", "rms": "RMS",
+    "standard_deviation": "Standard deviation", "percentile95": "95% of points within",
+    "out_of_tolerance_fraction": "Out of tolerance"}
+
+
+def as_text(values, lengths):
     """The figures as strings, in order."""
-    return [pattern.format(values[key]).replace("-", "\u2212")
-            for key, (_, pattern) in FIGURES.items()]
+    texts = {key: lengths.signed(values[key]) for key in ("minimum", "maximum", "mean")}
+    texts |= {key: lengths.text(values[key]) for key in ("rms", "standard_deviation")}
+    texts["count"] = f"{values['count']:,}"
+    texts["percentile95"] = "\u00b1" + lengths.text(values["percentile95"])
+    texts["out_of_tolerance_fraction"] = f"{values['out_of_tolerance_fraction']:.2%}"
+    return [texts[key] for key in FIGURES]
 
 
-def figures(inspection):
-    """Rows for the picture's table: without the outliers, with two percentiles more."""
-    good = inspection.result.signed_distance[~inspection.outliers]
-    names = [name for name, _ in FIGURES.values()]
-    rows = list(zip(names, as_text(statistics(good, inspection.tolerance))))
+def figures(inspection, lengths, seconds):
+    """Rows for the picture's table: without the outliers, with proof and time."""
+    result = inspection.result
+    good = result.signed_distance[inspection.good]
+    rows = list(zip(FIGURES.values(), as_text(statistics(good, inspection.tolerance), lengths)))
     rows[0] = ("Points without outliers", rows[0][1])
-    low, high = np.percentile(good, (5, 95))
-    rows.insert(-2, ("Percentiles P5, P95", f"{signed(low, 4)}, {signed(high, 4)} mm"))
+    certified = np.mean(result.status == footpoint.Status.CERTIFIED)
+    rows.append(("Feet proved to be nearest", f"{100.0 * certified:.4g}%"))
+    rows.append(("Time", f"{1e6 * seconds / len(good):.1f} \u00b5s a point"))
     return rows
 
 
 def counts(values, names):
     """How often each value of an enumeration occurs."""
-    return ", ".join(f"{np.sum(values == value):,} {value.name}" for value in names
-                     if (values == value).any())
-
-
-def coordinates(point):
-    return ("(" + ", ".join(f"{x:.2f}" for x in point) + ") mm").replace("-", "\u2212")
-
-
-def write_report(path, inspection, scan, seconds):
-    """A short report in Markdown."""
-    result, outliers, defect = inspection.result, inspection.outliers, inspection.defect
-    good = statistics(result.signed_distance[~outliers], inspection.tolerance)
-    columns = ([name for name, _ in FIGURES.values()], as_text(result.statistics), as_text(good))
-    table = "\n".join("| " + " | ".join(row) + " |" for row in zip(*columns))
-    tangential = np.sum(scan.is_outlier & (result.distance < inspection.tolerance))
-    damage = "none" if defect is None else (
-        f"{signed(defect.height, 4)} mm at {coordinates(defect.position)}, "
-        f"{np.linalg.norm(defect.position - scan.dent_centre):.2f} mm from the injected one")
-    path.write_text(f"""\
-# Deviation report: blade
-
-A simulated scan against the nominal surface. Lengths in mm; deviations are positive outside the
-blade; tolerance ±{inspection.tolerance} mm. Points: `deviation.vtp`. Picture: `deviation.png`.
-
-| Deviation | all points | without outliers |
-|---|---|---|
-{table}
-
-| | found | injected |
-|---|---|---|
-| Damage | {damage} | {signed(-DENT_DEPTH, 4)} mm at {coordinates(scan.dent_centre)} |
-| Outliers | {outliers.sum()}, {np.sum(outliers & ~scan.is_outlier)} of them wrongly | \
-{scan.is_outlier.sum()}, {tangential} of them still within tolerance of the surface |
-
-- Noise of the scan: standard deviation {NOISE} mm, along the normal.
-- Status: {counts(result.status, footpoint.Status)}.
-- Foot type: {counts(result.foot_type, footpoint.FootType)}.
-- Brute force: for 1,000 points, the nearest of 1.2 million samples of the surface was never nearer
-  than the foot.
-- Time: {1e6 * seconds / len(result.status):.1f} µs a point, {seconds:.2f} s in all, on \
-{os.cpu_count()} processors.
-- Footpoint {footpoint.__version__}, VTK {vtkVersion.GetVTKVersion()}, \
-Python {platform.python_version()}.
-""", encoding="utf-8")
+    return ", ".join(f"{np.sum(values == value):,} {value.name.lower().replace('_', ' ')}"
+                     for value in names if (values == value).any())

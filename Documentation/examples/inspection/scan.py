@@ -1,75 +1,93 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A simulated optical scan of a surface, with everything that real scans suffer from."""
+"""A simulated optical scan of a bent part, with everything that real scans suffer from."""
 
 from dataclasses import dataclass
 
 import footpoint
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
-NOISE = 0.01  # mm, standard deviation along the normal
-OUTLIER_FRACTION = 0.005
-OUTLIER_DISTANCES = (0.3, 4.0)  # mm, uniform, in any direction
-SHADOW = (0.62, 0.66)  # range of v that the scanner did not see
-DENT_CENTRE = (0.31, 0.36)  # (u, v), on the suction side
-DENT_DEPTH = 0.15  # mm
-DENT_RADIUS = 9.0  # mm
+# Lengths as fractions of the part's size.
+NOISE = 1e-4  # standard deviation along the normal
+BEND = 3e-3  # of the end that is farthest from the middle
+OUTLIER_FRACTION = 0.002
+OUTLIER_DISTANCES = (0.003, 0.04)  # uniform, in any direction
+SHADOWS, SHADOW_RADIUS = 3, 0.09  # balls that the scanner did not see into
+AIR = 1e-3  # above every point that can be seen
+STIFF = 0.25  # what does not bend of the way from the middle to that end
 
 
 @dataclass
 class Scan:
-    points: np.ndarray  # (m, 3), mm
+    points: np.ndarray  # (m, 3)
     is_outlier: np.ndarray  # (m,) bool
-    dent_centre: np.ndarray  # (3,), mm, on the nominal surface
+    feet: np.ndarray  # (m, 3) what was scanned, on the nominal part
+    deviations: np.ndarray  # (m,) by how much the bend moves that along the normal
+    tip: np.ndarray  # (3,) the end that is bent, on the nominal part
+    shift: np.ndarray  # (3,) by how much the bend moves that end
+    noise: float  # standard deviation
+
+    @property
+    def worst(self):
+        """The row that the bend moves most along the normal."""
+        return np.abs(self.deviations).argmax()
 
 
-def tangents(surface, parameters):
-    """∂S/∂u and ∂S/∂v, each (m, 3), by central differences; the domain is [0, 1]²."""
-    step = 1e-6
-    derivatives = []
-    for direction in (np.array([step, 0.0]), np.array([0.0, step])):
-        before = np.clip(parameters - direction, 0.0, 1.0)
-        after = np.clip(parameters + direction, 0.0, 1.0)
-        difference = footpoint.evaluate(surface, after) - footpoint.evaluate(surface, before)
-        derivatives.append(difference / (after - before).sum(axis=1)[:, None])
-    return derivatives
+def uniform_samples(mesh, count, random):
+    """(count, 3) points that are spread evenly over the triangles."""
+    corners = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[
+        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+    sides = corners[:, 1:] - corners[:, :1]
+    area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+    drawn = random.choice(len(corners), count, p=area / area.sum())
+    weights = random.dirichlet((1.0, 1.0, 1.0), count)
+    return np.einsum("ij,ijk->ik", weights, corners[drawn])
 
 
-def uniform_samples(surface, count, random):
-    """(count, 2) parameters that are spread evenly over the surface's area, and the unit normals.
-
-    Parameters are drawn at random and kept in proportion to the area element.
+def bending(feet, height):
+    """Displacements (m, 3) that bend the farthest end of a part across its thinnest direction, as a
+    beam bends: with the square of the way from the middle, cross sections staying plane. Returns
+    them, the end, and the displacement there.
     """
-    parameters, normals = np.empty((0, 2)), np.empty((0, 3))
-    while len(parameters) < count:
-        drawn = random.random((4 * count, 2))
-        drawn = drawn[(drawn[:, 1] < SHADOW[0]) | (drawn[:, 1] > SHADOW[1])]
-        normal = np.cross(*tangents(surface, drawn))
-        area = np.linalg.norm(normal, axis=1)
-        kept = random.random(len(drawn)) * area.max() < area
-        parameters = np.vstack([parameters, drawn[kept]])
-        normals = np.vstack([normals, normal[kept] / area[kept, None]])
-    return parameters[:count], normals[:count]
+    offsets = feet - feet.mean(axis=0)
+    _, directions = np.linalg.eigh(np.cov(offsets.T))
+    thin = directions[:, 0] * np.sign(directions[np.abs(directions[:, 0]).argmax(), 0])
+    flat = offsets - np.outer(offsets @ thin, thin)
+    end = np.linalg.norm(flat, axis=1).argmax()
+    length = np.linalg.norm(flat[end])
+    along = flat[end] / length
+    free = (1.0 - STIFF) * length
+    way = np.clip((offsets @ along - STIFF * length) / free, 0.0, None)
+    rise, slope = height * way**2, 2.0 * height * way / free
+    shifts = np.outer(rise, thin) - np.outer(slope * (offsets @ thin), along)
+    return shifts, feet[end], shifts[end]
 
 
-def dent_profile(points, parameters, centre):
-    """Height of the damage at points of the surface: negative, smooth, zero beyond its radius."""
-    distance = np.linalg.norm(points - centre, axis=1) / DENT_RADIUS
-    inside = (distance < 1.0) & (parameters[:, 0] < 0.5)  # on one side of the blade only
-    return np.where(inside, -DENT_DEPTH * (1.0 - np.minimum(distance, 1.0) ** 2) ** 2, 0.0)
-
-
-def simulate(surface, count, seed=2024):
-    """Scans a surface with domain [0, 1]² at `count` points. Returns a Scan."""
+def simulate(part, count, seed=2024):
+    """Scans a bent Part at about `count` points. Returns a Scan."""
     random = np.random.default_rng(seed)
-    parameters, normals = uniform_samples(surface, count, random)
-    points = footpoint.evaluate(surface, parameters)
-    centre = footpoint.evaluate(surface, np.array([DENT_CENTRE]))[0]
-    height = dent_profile(points, parameters, centre) + random.normal(0.0, NOISE, count)
-    points += height[:, None] * normals
+    samples = uniform_samples(part.mesh, count, random)
+    exact = footpoint.invert(samples, part.model)  # the triangles are not the part
+    feet, normals = exact.closest_points, exact.normals
+    shifts, tip, shift = bending(feet, BEND * part.size)
 
-    is_outlier = np.zeros(count, dtype=bool)
-    is_outlier[random.choice(count, round(OUTLIER_FRACTION * count), replace=False)] = True
+    # === What the scanner sees
+    candidates = feet[random.choice(count, 200, replace=False)]
+    candidates = candidates[np.linalg.norm(candidates - tip, axis=1) > 0.4 * part.size][:SHADOWS]
+    # Not where parts touch: there is no air above the face.
+    air = AIR * part.size
+    seen = footpoint.invert(feet + air * normals, part.model).signed_distance > 0.9 * air
+    for centre in candidates:
+        seen &= np.linalg.norm(feet - centre, axis=1) > SHADOW_RADIUS * part.size
+    feet, normals, shifts = feet[seen], normals[seen], shifts[seen]
+
+    # === Where it sees it
+    noise = NOISE * part.size
+    points = feet + shifts + random.normal(0.0, noise, (len(feet), 1)) * normals
+    is_outlier = random.random(len(points)) < OUTLIER_FRACTION
     directions = random.normal(size=(is_outlier.sum(), 3))
     directions /= np.linalg.norm(directions, axis=1)[:, None]
-    points[is_outlier] += directions * random.uniform(*OUTLIER_DISTANCES, len(directions))[:, None]
-    return Scan(points, is_outlier, centre)
+    distances = part.size * random.uniform(*OUTLIER_DISTANCES, len(directions))
+    points[is_outlier] += directions * distances[:, None]
+    deviations = np.einsum("ij,ij->i", shifts, normals)
+    return Scan(points, is_outlier, feet, deviations, tip, shift, noise)
