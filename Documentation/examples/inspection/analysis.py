@@ -14,14 +14,14 @@ NEIGHBOURS = 4  # that have to agree with a point
 AGREEMENT = 8.0  # times the noise: how far neighbours' deviations may differ
 SMALLEST_REGION = 30  # points
 PEAK = 0.02  # the part of a region that its height and place are taken from
-MOVED = 0.5  # a region is moved, not dented, if a motion leaves at most this part of its deviation
+MOVED = 0.25  # a region is moved, not dented, if a motion leaves at most this part of its deviation
 
 
 @dataclass
 class Motion:
-    """The rigid motion of what is around a region that explains its deviations best."""
+    """The rigid motion that explains the deviations of a region best."""
 
-    shift: np.ndarray  # (3,) of the region's position
+    shift: np.ndarray  # (3,) at the region's position
     tilt: float  # degrees
     explains: bool  # whether it leaves little
 
@@ -133,25 +133,22 @@ def measure(inspection, rows):
     peak = highest[np.linalg.norm(feet[highest] - centre, axis=1).argmin()]
     faces, counts = np.unique(result.face[rows], return_counts=True)
     others = [face for face in faces[np.argsort(-counts)] if face != result.face[peak]]
-    radius = np.linalg.norm(feet[rows] - feet[peak], axis=1).max()
     return Region(
         feet[peak], result.normals[peak], np.median(distances[highest]), len(rows),
         [int(face) for face in (result.face[peak], *others[:2])],
-        fit_motion(inspection, feet[peak], 0.5 * radius))
+        fit_motion(result.normals[rows], feet[rows] - feet[peak], distances[rows]))
 
 
-def fit_motion(inspection, position, radius):
-    """The Motion of the points in a ball, by least squares: N · (shift + turn × r) = deviation."""
-    result = inspection.result
-    offsets = result.closest_points - position
-    rows = inspection.good & (np.linalg.norm(offsets, axis=1) < radius)
-    normals, distances = result.normals[rows], result.signed_distance[rows]
-    if rows.sum() < SMALLEST_REGION:
-        return Motion(np.zeros(3), 0.0, False)
-    turns = np.cross(offsets[rows] / radius, normals)
-    motion = np.linalg.lstsq(np.hstack([normals, turns]), distances, rcond=1e-3)[0]
-    left = distances - np.hstack([normals, turns]) @ motion
-    explains = np.sqrt(np.mean(left**2)) < MOVED * np.sqrt(np.mean(distances**2))
+def fit_motion(normals, offsets, deviations):
+    """The Motion of points of a region by least squares: N · (shift + turn × offset) = deviation.
+
+    normals, offsets from the region's position: (k, 3); deviations: (k,).
+    """
+    radius = np.linalg.norm(offsets, axis=1).max()
+    terms = np.hstack([normals, np.cross(offsets / radius, normals)])
+    motion = np.linalg.lstsq(terms, deviations, rcond=1e-3)[0]
+    left = deviations - terms @ motion
+    explains = np.sqrt(np.mean(left**2)) < MOVED * np.sqrt(np.mean(deviations**2))
     return Motion(motion[:3], np.degrees(np.linalg.norm(motion[3:]) / radius), bool(explains))
 
 

@@ -106,6 +106,17 @@ def faces_section(part, inspection, lengths):
             + table(header, rows, numbers))
 
 
+def outliers_text(inspection, scan):
+    """How the outliers that were found compare with those of a simulated scan."""
+    if scan is None:
+        return ""
+    missed = scan.is_outlier & ~inspection.outliers
+    within = np.abs(inspection.result.signed_distance[missed]) <= inspection.tolerance
+    return (f" found, {np.sum(inspection.outliers & ~scan.is_outlier)} of them wrongly; "
+            f"{scan.is_outlier.sum():,} injected, {within.sum()} of them within tolerance and "
+            f"{np.sum(~within)} missed")
+
+
 def write_report(path, part, inspection, lengths, seconds, picture, scan=None):
     """picture: path of the PNG; scan: the simulated Scan, None for a real one."""
     result, good = inspection.result, inspection.good
@@ -131,10 +142,7 @@ def write_report(path, part, inspection, lengths, seconds, picture, scan=None):
         ("Unit", unit), ("Size", f"{part.size:.4g} {part.unit} from corner to corner"),
         ("Scan", f"{len(distances):,} points" + (", simulated" if scan is not None else "")),
         ("Noise", f"{lengths.text(inspection.noise)}, standard deviation, from the median"),
-        ("Outliers", f"{inspection.outliers.sum():,}" + (
-            f" found, {scan.is_outlier.sum():,} injected, "
-            f"{np.sum(inspection.outliers & ~scan.is_outlier)} found wrongly; others are within "
-            "tolerance or beside a bent face" if scan is not None else "")),
+        ("Outliers", f"{inspection.outliers.sum():,}" + outliers_text(inspection, scan)),
         ("Tolerance", "±" + lengths.text(inspection.tolerance, 2)),
         ("Time", f"{1e6 * seconds / len(distances):.1f} µs a point, {seconds:.2f} s in all, on "
          f"{os.cpu_count()} processors")]
