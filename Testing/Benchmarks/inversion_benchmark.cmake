@@ -46,3 +46,21 @@ if (BUILD_TESTING)
     COMMAND inversion_benchmark --points 20 --budget 0.001 --repeats 1
       --output "${CMAKE_BINARY_DIR}/Testing/Temporary")
 endif ()
+
+# cad_benchmark: the filter on CAD models beside Open CASCADE and VTK's cell locator.
+if (FOOTPOINT_WITH_OCCT AND NOT FOOTPOINT_CORE_ONLY)
+  add_executable(cad_benchmark cad_benchmark.cpp cad_models.cpp)
+  target_link_libraries(cad_benchmark PRIVATE
+    Footpoint::Filters Footpoint::IO footpointCAD VTK::CommonCore VTK::CommonDataModel
+    VTK::CommonExecutionModel)
+  target_compile_options(cad_benchmark PRIVATE ${footpoint_vtk_warnings})
+  # What it needs at run time only: the program that reads the files.
+  add_dependencies(cad_benchmark footpoint-read-cad)
+  # Too few points for figures: only that it runs.
+  set(cad_benchmark_file "/usr/share/opencascade/data/iges/bearing.iges")
+  if (BUILD_TESTING AND EXISTS "${cad_benchmark_file}")
+    add_test(NAME "Benchmarks.cad"
+      COMMAND cad_benchmark --points 50 --occt-points 2 --output
+        "${CMAKE_BINARY_DIR}/Testing/Temporary" "${cad_benchmark_file}")
+  endif ()
+endif ()
