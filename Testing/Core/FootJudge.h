@@ -279,9 +279,12 @@ private:
     // One rounding of the parameters moves the point.
     const oracle::Vector here = face.point(at);
     double rounding = kPlace * size + kRounding * foot.point.norm();
+    // Parameters and loops are rounded a few times on their way into the domain and back, in parts of it.
+    double rounded = 0.0;
     for (int i = 0; i < 2; ++i)
     {
       const Real unit = 0x1p-52L * (std::abs(face.lower()[i]) + face.width()[i]);
+      rounded = std::max(rounded, static_cast<double>(8 * unit / face.width()[i]));
       Place there = at;
       there[i] += at[i] - face.lower()[i] > face.width()[i] / 2 ? -unit : unit;
       rounding += static_cast<double>((face.point(there) - here).norm());
@@ -289,7 +292,8 @@ private:
     const double apart = static_cast<double>((here - foot.point.cast<Real>()).norm());
     const double distance = (foot.point - point).norm();
     if (!(apart <= rounding) ||
-      !(std::abs(distance - foot.distance) <= kPlace * size + kRounding * foot.distance))
+      !(std::abs(distance - foot.distance) <=
+        kPlace * size + kRounding * (foot.distance + foot.point.norm())))
     {
       ++tally.misplaced;
       this->report("misplaced", what, point, foot, nearest, apart / size);
@@ -297,7 +301,7 @@ private:
     if (!face.loops().keeps(at))
     {
       const double beside = static_cast<double>(face.loops().distance(at));
-      if (!(beside <= kBesideLoop))
+      if (!(beside <= kBesideLoop + rounded))
       {
         ++tally.outside;
         this->report("trimmed away", what, point, foot, nearest, beside);
