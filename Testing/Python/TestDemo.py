@@ -71,6 +71,8 @@ class ScanFiles(unittest.TestCase):
         self.check(write("plain.csv", plain))
         self.check(write("blanks.xyz", "# a comment\n\n" + plain.replace(",", " \t") + "\n"))
         self.check(write("semicolons.TXT", plain.replace(",", "; ")))
+        self.check(write("decimal_commas.csv", "x;y;z\n" + "\n".join(
+            row.replace(",", ";").replace(".", ",") for row in rows)))
         self.check(write("colours.xyz", "\n".join(row + ",255,0,0" for row in rows)))
         self.check(write("names.csv", "id,Z,x,Y\n" + "\n".join(
             f"7,{z!r},{x!r},{y!r}" for x, y, z in POINTS.tolist())))

@@ -41,12 +41,12 @@ def read_scan(path):
 
 
 def read_text(path):
-    """Rows of numbers, divided by commas, semicolons or blanks. x, y and z are the columns of that
-    name if the first row has names, else the first three; lines with # are comments.
+    """Rows of numbers, divided by commas, blanks or semicolons, with which commas are decimal. x, y
+    and z are the columns of that name if the first row has names, else the first three; lines with #
+    are comments.
     """
     text = path.read_text(encoding="utf-8", errors="replace")
-    lines = [(number, line.replace(";", ",").replace(",", " ").split())
-             for number, line in enumerate(text.splitlines(), 1)
+    lines = [(number, split(line)) for number, line in enumerate(text.splitlines(), 1)
              if line.strip() and not line.lstrip().startswith(("#", "//"))]
     columns = [0, 1, 2]
     if lines and not is_number(lines[0][1][0]):
@@ -65,6 +65,12 @@ def read_text(path):
             raise InputError(
                 f"{path}, line {number}: no three coordinates in '{start}'") from None
     return points
+
+
+def split(line):
+    if ";" in line:
+        return line.replace(",", ".").replace(";", " ").split()
+    return line.replace(",", " ").split()
 
 
 def is_number(text):
