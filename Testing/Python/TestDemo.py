@@ -74,7 +74,7 @@ class ScanFiles(unittest.TestCase):
         self.check(write("decimal_commas.csv", "x;y;z\n" + "\n".join(
             row.replace(",", ";").replace(".", ",") for row in rows)))
         self.check(write("colours.xyz", "\n".join(row + ",255,0,0" for row in rows)))
-        self.check(write("names.csv", "id,Z,x,Y\n" + "\n".join(
+        self.check(write("names.csv", "Point ID,Z,x,Y\n" + "\n".join(
             f"7,{z!r},{x!r},{y!r}" for x, y, z in POINTS.tolist())))
         self.check(write("paraview.csv", '"SignedDistance","Points:0","Points:1","Points:2"\n'
                          + "\n".join("0.5," + row for row in rows)))
@@ -87,7 +87,8 @@ class ScanFiles(unittest.TestCase):
                 (write("broken.ply", "no ply"), "no points in .*broken.ply"),
                 (write("names2.csv", "a,b,c\n1,2,3\n"), "columns a, b, c have no x, y and z"),
                 (write("short.xyz", "1 2 3\n4 5\n"), "short.xyz, line 2: no three .* in '4 5'"),
-                (write("word.csv", "1,2,3\n\n4,five,6\n"), "word.csv, line 3: .*'4 five 6'")):
+                (write("word.csv", "1,2,3\n\n4,five,6\n"), "word.csv, line 3: .*'4 five 6'"),
+                (write("blank.csv", ",,\n1,2,3\n"), "the columns , ,  have no x, y and z")):
             with self.subTest(path.name), self.assertRaisesRegex(InputError, words):
                 read_scan(path)
 

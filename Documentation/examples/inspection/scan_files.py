@@ -69,8 +69,8 @@ def read_text(path):
 
 def split(line):
     if ";" in line:
-        return line.replace(",", ".").replace(";", " ").split()
-    return line.replace(",", " ").split()
+        return [word.strip() for word in line.replace(",", ".").split(";")]
+    return [word.strip() for word in line.split(",")] if "," in line else line.split()
 
 
 def is_number(text):
