@@ -67,6 +67,9 @@ struct Slopes
   double greatest; ///< and the greatest of the coefficients, by magnitude
 };
 
+/// The squared distance of a box is rounded a few times, in relative terms.
+constexpr double kOutward = 1.0 + 32.0 * kRounding;
+
 /// Edges of trimmed faces are proved for this part of the tolerance, so that what is left of it is
 /// there for the faces (Documentation/CertifiedSearch.md).
 constexpr double kPartOfEdges = 0.5;
@@ -180,7 +183,8 @@ private:
   void begin_with(std::int32_t index, double squared);
   /// Finds the pieces that may hold something within reach.
   void collect();
-  void collect(std::int32_t index);
+  /// \param squared distance of the piece's box
+  void collect(std::int32_t index, double squared);
   /// A point of a piece, if it is kept, bounds the distance from above.
   void bound_by_point(const PieceQuery& query, const Pair& t);
   /// \param squared distance of that point
@@ -475,21 +479,20 @@ void Finder::collect()
   int top = 0;
   auto take = [&](const BoxTree::Node& node, const double* squared, std::uint64_t except)
   {
-    // The distance of a box is rounded a few times, in relative terms.
-    constexpr double kOutward = 1.0 + 32.0 * kRounding;
     const double reach = this->reach();
     const double limit = std::min(reach * reach * kOutward, std::numeric_limits<double>::max());
     std::uint64_t hits = at_most(squared, BoxTree::kWidth, limit) & ~except;
     for (; hits != 0; hits &= hits - 1)
     {
-      const std::int32_t child = node.child[hwy::Num0BitsBelowLS1Bit_Nonzero64(hits)];
+      const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero64(hits);
+      const std::int32_t child = node.child[k];
       if (child >= 0)
       {
         stack[top++] = child;
       }
       else
       {
-        this->collect(-1 - child);
+        this->collect(-1 - child, squared[k]);
       }
     }
   };
@@ -543,7 +546,7 @@ void Finder::begin_with(std::int32_t index, double squared)
     this->bound_by_point(query, query.piece->kept);
   }
   this->bound_by_point(query, start);
-  this->collect(index);
+  this->collect(index, squared);
 }
 
 void Finder::bound_by_point(const PieceQuery& query, const Pair& t)
@@ -566,7 +569,7 @@ void Finder::bound_by(const PieceQuery& query, const Pair& t, double squared)
   }
 }
 
-void Finder::collect(std::int32_t index)
+void Finder::collect(std::int32_t index, double squared)
 {
   const PieceQuery query = this->at(index);
   const Piece& piece = *query.piece;
@@ -578,9 +581,9 @@ void Finder::collect(std::int32_t index)
   {
     return;
   }
-  // F = w²(|S − P|² − T) ≥ least.
-  const double bound =
-    level.level + least / (least < 0.0 ? piece.least_weight : piece.greatest_weight);
+  // F = w²(|S − P|² − T) ≥ least. Of a large flat piece the box may say more.
+  const double bound = std::max(squared / kOutward,
+    level.level + least / (least < 0.0 ? piece.least_weight : piece.greatest_weight));
   this->Workspace.candidates.push_back({ index, bound });
   // The corners are points of the piece.
   const double* weights = piece.forms + 4 * shape.form_size;

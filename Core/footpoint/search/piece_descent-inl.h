@@ -617,6 +617,7 @@ HWY_INLINE auto with_shape(const PieceShape& shape, const Function& function)
   }
   return p == 2 && q == 2 ? function(Two(), Two(), true_type())
     : p == 2 && q == 1    ? function(Two(), One(), true_type())
+    : p == 1 && q == 2    ? function(One(), Two(), true_type())
     : p == 3 && q == 3    ? function(Three(), Three(), true_type())
     : p == 0              ? function(None(), Any(), true_type())
                           : function(Any(), Any(), true_type());
