@@ -74,6 +74,39 @@ TEST(TrimmedFaces, OpenEdgesAreCounted)
   EXPECT_EQ(PointInverter(model_of(trims::flat(0, 1), trims::flat(1, 2))).number_of_open_edges(), 6);
 }
 
+/// A second face farther away than the trimmed one; the box of its control points holds the point
+/// above its middle, so that the search begins with it.
+footpoint::Surface bowl(const Vector3& middle)
+{
+  footpoint::Points points(3, 9);
+  for (int k = 0; k < 9; ++k)
+  {
+    const Vector3 out(0.5 * (k % 3 - 1), 0.5 * (k / 3 - 1), k == 4 ? -1.05 : 0.35);
+    points.col(k) = middle + out;
+  }
+  const std::vector<double> knots{ 0, 0, 0, 1, 1, 1 };
+  return Surface(footpoint::KnotVector(2, knots), footpoint::KnotVector(2, knots), points);
+}
+
+/// Files with twelve digits have loops that run beside the border of the domain, not along it.
+TEST(TrimmedFaces, LoopsBesideTheBorderOfTheDomain)
+{
+  for (const double beside : { 1e-15, 1e-14, 1e-13, 9e-13, 1.1e-12, 1e-11, -1e-13, -1e-9 })
+  {
+    SCOPED_TRACE(beside);
+    const Face face = trimmed(trims::flat(), { trims::rectangle(beside, 0, 1, 1) });
+    const PointInverter inverter({ face });
+    const Foot foot = inverter.find({ -0.1, 0.5, 0 });
+    EXPECT_EQ(foot.status, Status::Certified);
+    EXPECT_EQ(foot.type, FootType::Edge);
+    EXPECT_NEAR(foot.distance, 0.1, 2.0 * std::abs(beside));
+    const PointInverter two({ face, face_of(bowl({ -0.1, 0.5, -0.3 })) });
+    const Foot nearer = two.find({ -0.1, 0.5, 0 });
+    EXPECT_EQ(nearer.face, 0);
+    EXPECT_NEAR(nearer.distance, 0.1, 2.0 * std::abs(beside));
+  }
+}
+
 /// Faces with loops over surfaces of several kinds, in parts of their domain.
 struct Case
 {
