@@ -107,6 +107,41 @@ TEST(TrimmedFaces, LoopsBesideTheBorderOfTheDomain)
   }
 }
 
+/// The foot on the untrimmed plane lies in the hole, which is bounded by edges all the same.
+TEST(TrimmedFaces, HolesAsSmallAsRounding)
+{
+  for (const double radius : { 1e-8, 1e-9, 1e-10, 1e-12, 1e-13, 1e-14 })
+  {
+    SCOPED_TRACE(radius);
+    const Face face = trimmed(trims::flat(),
+      { trims::rectangle(0, 0, 1, 1), trims::reversed(trims::circle(0.5, 0.5, radius)) });
+    const PointInverter two({ face, face_of(bowl({ 0.5, 0.5, -0.2 })) });
+    const Foot foot = two.find({ 0.5, 0.5, 0.1 });
+    EXPECT_EQ(foot.status, Status::Certified);
+    EXPECT_EQ(foot.face, 0);
+    EXPECT_NEAR(foot.distance, 0.1, 1e-12);
+  }
+}
+
+/// A loop beside a pole instead of along the collapsed side.
+TEST(TrimmedFaces, LoopBesideAPole)
+{
+  footpoint::Points points(3, 4);
+  points << 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 1;
+  const footpoint::KnotVector knots(1, { 0, 0, 1, 1 });
+  const Surface corner(knots, knots, points);
+  for (const double beside : { 0.0, 1e-13, 1e-11, 1e-9 })
+  {
+    SCOPED_TRACE(beside);
+    const PointInverter inverter(
+      { trimmed(corner, { trims::rectangle(0, beside, 1, 1) }), face_of(bowl({ 0, 0, -0.4 })) });
+    const Foot foot = inverter.find({ 0, 0, -0.1 });
+    EXPECT_EQ(foot.status, Status::Certified);
+    EXPECT_EQ(foot.face, 0);
+    EXPECT_NEAR(foot.distance, 0.1, 2.0 * beside + 1e-12);
+  }
+}
+
 /// Faces with loops over surfaces of several kinds, in parts of their domain.
 struct Case
 {

@@ -21,6 +21,11 @@ constexpr int kSizeSamples = 4;
 /// What is left below turns a tangent by no more than closure may move a point.
 constexpr double kKink = kClosureTolerance;
 
+/// An edge inside the domain whose points are no farther apart than this part of the surface's size
+/// is one point: evaluation knows no better. What is larger bounds the face, however small it is: the
+/// foot on the untrimmed surface may lie within a hole of any size.
+constexpr double kPointInside = 8.0 * 0x1p-52;
+
 /// An arc this short, as a part of the domain in each direction, has no length but rounding.
 constexpr double kNoLength = 4.0 * 0x1p-52;
 
@@ -100,14 +105,9 @@ bool has_length(const Surface& surface, const TrimArc& arc)
   return false;
 }
 
-/// Edges that stay within this fraction of the surface's size are one point, that of a neighbour's
-/// end: far below what is certified, above the rounding of a pole.
-constexpr double kOnePoint = 1e-13;
-
-/// Whether all of the run is one point in space.
-bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs)
+/// Whether all of the run is one point in space. \param tolerance model units
+bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs, double tolerance)
 {
-  const double tolerance = kOnePoint * surface.size();
   Vector3 first;
   for (std::size_t k = 0; k < arcs.size(); ++k)
   {
@@ -316,9 +316,11 @@ std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
 {
   std::vector<std::shared_ptr<const EdgeCurve>> edges;
   std::vector<TrimArc> run;
+  const double one_point =
+    (which == EdgeArcs::InsideDomain ? kPointInside : kClosureTolerance) * surface->size();
   const auto finish = [&]()
   {
-    if (!run.empty() && !is_point(*surface, run))
+    if (!run.empty() && !is_point(*surface, run, one_point))
     {
       edges.push_back(std::make_shared<EdgeCurve>(surface, std::move(run)));
     }
