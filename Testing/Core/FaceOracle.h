@@ -121,13 +121,13 @@ public:
     if (best.distance < INFINITY)
     {
       const Found here = this->descend(best, p);
-      best = here.distance < best.distance ? here : best;
+      best = this->better(here, best) ? here : best;
     }
     for (const std::size_t k : this->InsideTree.nearest(query, kDescents))
     {
       const Place& at = this->Inside[k].at;
       const Found here = this->descend({ (this->point(at) - p).norm(), at }, p);
-      best = here.distance < best.distance ? here : best;
+      best = this->better(here, best) ? here : best;
     }
     return best;
   }
@@ -254,15 +254,26 @@ private:
     return inside;
   }
 
-  /// Whether a point of a loop bounds what is kept: not where loops overlap or leave each other.
-  bool is_border(const Place& at) const
+  bool better(const Found& here, const Found& best) const
+  {
+    return here.distance < best.distance && this->is_kept_beside(here.at);
+  }
+
+  /// Whether anything is kept about a point, on a loop or between two: not where loops overlap or
+  /// leave each other, or run back on themselves up to a rounding.
+  bool is_kept_beside(const Place& at) const
   {
     for (int k = 0; k < kLooks; ++k)
     {
       const Real angle = 2.0L * std::acos(-1.0L) * k / kLooks;
-      const Place there = this->moved(
-        at, kBeside * std::cos(angle) * this->Width[0], kBeside * std::sin(angle) * this->Width[1]);
-      if (this->Loops->keeps(there))
+      const Place there{ { at[0] + kBeside * std::cos(angle) * this->Width[0],
+        at[1] + kBeside * std::sin(angle) * this->Width[1] } };
+      bool inside = true;
+      for (int i = 0; i < 2; ++i)
+      {
+        inside = inside && there[i] > this->Lower[i] && there[i] < this->Upper[i];
+      }
+      if (inside && this->Loops->keeps(there))
       {
         return true;
       }
@@ -414,7 +425,7 @@ private:
       }
       step = better ? step : step / 2;
     }
-    return this->is_border(best.at) ? best : Found{};
+    return this->is_kept_beside(best.at) ? best : Found{};
   }
 
   static constexpr int kWays[8][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 }, { 1, 1 },

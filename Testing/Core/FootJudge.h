@@ -250,6 +250,10 @@ public:
       tally.unproved_too_far += !certified;
       this->report("too far", what, point, foot, nearest, excess / size);
     }
+    else if (!certified)
+    {
+      this->report("not certified, excess", what, point, foot, nearest, excess / size);
+    }
     this->check_place(point, what, foot, nearest, tally);
     return foot;
   }
