@@ -229,4 +229,102 @@ TEST(TrimmedFaces, TheEdgeOfASmallGapCounts)
     inverter.find({ 1.9, 2, 0 }), { 0.9 - 1e-10, 1, 0 }, std::hypot(1 + 1e-10, 1), FootType::Vertex);
 }
 
+/// A trimmed face at random: wild control points and weights, loops that are stars.
+Face random_face(shapes::Random& random)
+{
+  std::array<footpoint::KnotVector, 2> knots{ footpoint::KnotVector(1, { 0, 0, 1, 1 }),
+    footpoint::KnotVector(1, { 0, 0, 1, 1 }) };
+  std::array<int, 2> count;
+  for (int i = 0; i < 2; ++i)
+  {
+    const int degree = random.integer(1, 4);
+    const int spans = random.integer(1, 5);
+    knots[i] = footpoint::KnotVector(degree, shapes::clamped_knots(degree, spans));
+    count[i] = degree + spans;
+  }
+  const double height = random.magnitude(1.0);
+  footpoint::Points points(3, count[0] * count[1]);
+  Eigen::VectorXd weights(count[0] * count[1]);
+  for (int k = 0; k < points.cols(); ++k)
+  {
+    const Vector3 place(k % count[0] / (count[0] - 1.0), k / count[0] / (count[1] - 1.0), 0.0);
+    points.col(k) = place + height * random.vector(-0.2, 0.2);
+    weights[k] = random.magnitude(2.0);
+  }
+  const Surface surface = random.integer(0, 1) == 0
+    ? Surface(knots[0], knots[1], points)
+    : Surface(knots[0], knots[1], points, weights);
+  const auto star = [&random](double u, double v, double radius)
+  {
+    std::vector<trims::Point2> corners;
+    const int count_of_corners = random.integer(3, 9);
+    for (int k = 0; k < count_of_corners; ++k)
+    {
+      const double angle = 2.0 * std::acos(-1.0) * k / count_of_corners;
+      const double r = radius * random.uniform(0.4, 1.0);
+      corners.emplace_back(u + r * std::cos(angle), v + r * std::sin(angle));
+    }
+    return trims::polygon(corners);
+  };
+  switch (random.integer(0, 2))
+  {
+    case 0:
+      return trimmed(surface, { star(0.5, 0.5, 0.48) });
+    case 1:
+      return trimmed(
+        surface, { trims::rectangle(0, 0, 1, 1), trims::reversed(star(0.5, 0.5, 0.4)) });
+    default:
+      return trimmed(surface,
+        { trims::rectangle(0, 0, 1, 1), trims::reversed(star(0.25, 0.3, 0.2)),
+          trims::reversed(star(0.7, 0.7, 0.25)), star(0.7, 0.7, 0.09) });
+  }
+}
+
+/// Every foot is certified, and no sample of the face is nearer.
+void expect_certified_feet(std::uint64_t seed, int queries)
+{
+  SCOPED_TRACE(seed);
+  shapes::Random random(seed);
+  const Face face = random_face(random);
+  const auto& surface = *face.patches.front().surface;
+  std::vector<Vector3> samples;
+  for (int k = 0; k <= 60 * 61; ++k)
+  {
+    const Parameter<2> at(k % 61 / 60.0, k / 61 / 60.0);
+    if (face.region->contains(at(0), at(1)))
+    {
+      samples.push_back(surface.centre() + surface.point(at));
+    }
+  }
+  const PointInverter inverter({ face });
+  for (int k = 0; k < queries; ++k)
+  {
+    const Parameter<2> at(random.uniform(0.0, 1.0), random.uniform(0.0, 1.0));
+    const double away = std::pow(10.0, random.uniform(-5.0, 0.5));
+    const Vector3 query =
+      surface.centre() + surface.point(at) + away * random.vector(-1.0, 1.0);
+    const Foot foot = inverter.find(query);
+    EXPECT_EQ(foot.status, Status::Certified) << query.transpose();
+    double nearest = INFINITY;
+    for (const Vector3& sample : samples)
+    {
+      nearest = std::min(nearest, (sample - query).norm());
+    }
+    EXPECT_LE(foot.distance, nearest + 1e-12 * inverter.size()) << query.transpose();
+  }
+}
+
+/// The last four seeds have pieces that go on far below the loops: their cells must not be narrow.
+TEST(TrimmedFaces, RandomFacesAreCertified)
+{
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    expect_certified_feet(seed, 40);
+  }
+  for (const std::uint64_t seed : { 143, 361, 572, 862 })
+  {
+    expect_certified_feet(seed, 100);
+  }
+}
+
 } // namespace

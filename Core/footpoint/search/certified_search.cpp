@@ -35,6 +35,8 @@ constexpr int kMostCells = 200;
 /// and how many of these every piece may have even if others have used them up.
 constexpr int kMostHardCells = 2000;
 constexpr std::size_t kFewestHardCells = 64;
+/// A cell of a trimmed piece is not cut narrower than this.
+constexpr double kNarrow = 4.0;
 /// How often a cell or a line may be halved by its coefficients.
 constexpr int kMostHalvings = 100;
 
@@ -227,7 +229,7 @@ private:
   /// than edges are proved to be.
   bool is_trimmed_away(const PieceQuery& query, const PieceFoot& place) const;
   double excess_of(const PieceFoot& place) const;
-  /// Half of the tolerance for edges, less what they may be off.
+  /// For edges half of the tolerance, less what they may be off.
   double tolerance_of(const Piece& piece) const;
   bool improves_at_corner(
     const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f);
@@ -268,6 +270,7 @@ private:
   int Depth = 0;
   std::int32_t Nearest = -1; ///< the piece with the point that gave Bound, and that point
   Pair NearestAt{ { 0.0, 0.0 } };
+  double Tolerance = 0.0; ///< what is asked for, less what the best foot may be off
   int Cells = 0;
   int HardCells = 0;
   // Of the piece that is being proved:
@@ -622,10 +625,19 @@ void Finder::descend_on_candidates()
       this->descend_from(query, start_of(shape, f, least));
     }
   }
-  if (this->Nearest >= 0 && !(this->found() && this->best().distance <= this->Bound))
+  const auto reached = [this] { return this->found() && this->best().distance <= this->Bound; };
+  if (this->Nearest >= 0 && !reached())
   {
     // No descent came as near as that point.
-    this->descend_from(this->at(this->Nearest), this->NearestAt);
+    const PieceQuery query = this->at(this->Nearest);
+    this->descend_from(query, this->NearestAt);
+    if (!reached() && query.piece->region)
+    {
+      Place place; // the way down led out of the face
+      place.t = this->NearestAt;
+      evaluate_at(query, place);
+      this->keep(this->foot_of(query, place, 0));
+    }
   }
 }
 

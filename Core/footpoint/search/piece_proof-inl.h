@@ -247,13 +247,20 @@ Pair Finder::halve(const PieceShape& shape, double* f, int direction, double* up
 
 bool Finder::prove_all()
 {
-  if (this->found() && this->best().distance <= this->Query.tolerance)
+  // The best foot may be on an edge, whose pieces are approximations.
+  double error = 0.0;
+  for (const PieceFoot& survivor : this->Workspace.survivors)
+  {
+    error = std::max(error, this->Structure.forms.pieces()[survivor.piece].error);
+  }
+  this->Tolerance = this->Query.tolerance - error;
+  const auto is_at_query = [this]
+  { return this->found() && this->best().distance <= this->Tolerance; };
+  if (is_at_query())
   {
     return true; // no distance is negative
   }
-  // Pieces are left out under a bound that some point gives. Where no foot is as near (rounding made that
-  // point nearer than it is, or a descent from it failed), they are not proved.
-  bool proved = !this->found() || this->best().distance <= this->Bound + this->Query.tolerance;
+  bool proved = true;
   // What is trimmed comes last: its proof wants that of the edges, and what they improve.
   for (const bool trimmed : { false, true })
   {
@@ -274,7 +281,14 @@ bool Finder::prove_all()
     }
   }
   // Feet may have come nearer meanwhile.
-  return proved || (this->found() && this->best().distance <= this->Query.tolerance);
+  if (is_at_query())
+  {
+    return true;
+  }
+  // Pieces are left out under a bound that some point gives. Where no foot is as near (rounding made that
+  // point nearer than it is, or the ways down from it failed or led out of the face), they are not proved.
+  const double distance = this->found() ? this->best().distance : this->Query.limit;
+  return proved && distance <= this->Bound + this->Tolerance;
 }
 
 Finder::Verdict Finder::prove(const PieceFoot& survivor)
@@ -386,7 +400,7 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
 
 double Finder::tolerance_of(const Piece& piece) const
 {
-  return piece.edge ? kPartOfEdges * this->Query.tolerance - piece.error : this->Query.tolerance;
+  return piece.edge ? kPartOfEdges * this->Tolerance - piece.error : this->Tolerance;
 }
 
 /// |S − P|² at a place less the best, without the cancellation of large numbers:
@@ -412,9 +426,10 @@ bool Finder::is_trimmed_away(const PieceQuery& query, const PieceFoot& place) co
   {
     return false;
   }
+  // Edges that were left out are no nearer than the bound, the others were proved.
   const double distance = this->found() ? this->best().distance : this->Query.limit;
-  const double proved =
-    this->found() ? std::min(kPartOfEdges * this->Query.tolerance, distance) : 0.0;
+  const double part = this->found() ? kPartOfEdges * this->Tolerance : 0.0;
+  const double proved = std::min(std::max(part, distance - this->Bound), distance);
   // Positions and offsets are off by a few roundings of their size.
   const double rounding =
     64.0 * kRounding * (this->Query.size + distance) * (place.distance + distance);
@@ -560,6 +575,14 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
         ? reduced.bend(0) > reduced.bend(1)
         : place.metric[0] * width[0] * width[0] > place.metric[1] * width[1] * width[1];
       cut = along_u ? 0 : 1;
+    }
+    if (query.piece->region && !is_kept(*query.piece, place.t))
+    {
+      // What lies below may go on far beyond the loop: where it does, only cells that the loop does not
+      // pass are settled, and narrow ones are passed the longest.
+      const double across = place.metric[1 - cut] * width[1 - cut] * width[1 - cut];
+      const double along = place.metric[cut] * width[cut] * width[cut];
+      cut = across > kNarrow * kNarrow * along ? 1 - cut : cut;
     }
     cut = width[cut] > 0.0 ? cut : 1 - cut;
     const double middle = 0.5 * (range.lower[cut] + range.upper[cut]);
