@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/face_neighbours.h"
 
-#include "footpoint/model/evaluation.h"
-#include "footpoint/model/pole_normal.h"
 #include "footpoint/model/shared_borders.h"
 #include "footpoint/search/box_traversal.h"
 
@@ -26,16 +24,13 @@ constexpr int kStarts = 4;
 constexpr int kSteps = 10;
 constexpr double kLastStep = 1e-9;
 
+/// Smooth parts of a rim at which a neighbour is looked for: a polyline has as many as segments.
+constexpr std::size_t kPartsOfRim = 8;
+
 /// How far from a point the borders of other faces are looked for at first, as a fraction of the
 /// model's size, and by how much farther each time that there are none.
 constexpr double kFirstReach = 1e-4;
 constexpr double kFarther = 10.0;
-
-/// Local parameters of one place that differ by more than this part of the domain are two.
-constexpr double kOnePlace = 1e-6;
-
-/// A sum of normals shorter than this tells no side.
-constexpr double kNoNormal = 1e-9;
 
 /// The four sides of a domain, counter-clockwise from v = 0.
 TrimLoop sides_of(const Surface& surface)
@@ -101,14 +96,30 @@ FaceNeighbours::FaceNeighbours(const Model& model, double size)
   this->add_vertices();
   for (std::size_t k = 0; k < this->Rims.size(); ++k)
   {
-    const Rim& rim = this->Rims[k];
-    const Parameter<1> middle(0.5 * rim.curve->direction(0).length);
+    this->OpenEdges += this->is_open(k);
+  }
+}
+
+/// Whether no other rim passes the middle of one of its smooth parts, of which a few are looked at.
+bool FaceNeighbours::is_open(std::size_t k) const
+{
+  const Rim& rim = this->Rims[k];
+  const std::vector<Break>& breaks = rim.curve->direction(0).breaks;
+  const std::size_t parts = breaks.size() - 1;
+  const std::size_t count = std::min(parts, kPartsOfRim);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t part = (2 * i + 1) * parts / (2 * count);
+    const Parameter<1> middle(0.5 * breaks[part].at + 0.5 * breaks[part + 1].at);
     const std::vector<Passage> here =
       this->meeting(rim.curve->centre() + rim.curve->point(middle), rim.face).passages;
-    const bool met = std::any_of(
-      here.begin(), here.end(), [k](const Passage& passage) { return passage.rim != k; });
-    this->OpenEdges += !met;
+    if (std::none_of(
+          here.begin(), here.end(), [k](const Passage& passage) { return passage.rim != k; }))
+    {
+      return true;
+    }
   }
+  return false;
 }
 
 void FaceNeighbours::add_parts(double size)
@@ -293,146 +304,6 @@ FaceNeighbours::Meeting FaceNeighbours::meeting(const Vector3& point, int face) 
     }
     result.reach = std::min(kFarther * result.reach, this->LargestTolerance);
   }
-}
-
-Vector3 FaceNeighbours::normal(std::size_t rim, double t) const
-{
-  const EdgeCurve& curve = *this->Rims[rim].curve;
-  const Side side = t >= curve.direction(0).length ? Side::Left : Side::Right;
-  const Parameter<2> at = curve.surface_parameter(t, side);
-  return unit_normal(curve.surface(), at, sides_at(curve.surface(), at));
-}
-
-/// Between where one rim of a face ends and another begins, both at one vertex: the angle through the
-/// face, which lies on the left of its rims, times the normal.
-Vector3 FaceNeighbours::wedge(const Passage& arriving, const Passage& leaving) const
-{
-  const EdgeCurve& in = *this->Rims[arriving.rim].curve;
-  const EdgeCurve& out = *this->Rims[leaving.rim].curve;
-  const double pi = std::acos(-1.0);
-  const Vector3 back = -
-    unit_tangent(in, Parameter<1>(in.direction(0).length), Sides<1>(Side::Left));
-  const Vector3 forth = unit_tangent(out, Parameter<1>(0.0), Sides<1>(Side::Right));
-  const Surface& surface = out.surface();
-  const Parameter<2> from = out.surface_parameter(0.0);
-  const Parameter<2> to = in.surface_parameter(in.direction(0).length, Side::Left);
-  for (int i = 0; i < 2; ++i)
-  {
-    const Direction& direction = surface.direction(i);
-    const double way = to(i) - from(i);
-    const int other = 1 - i;
-    const int end = from(other) > 0.5 * surface.direction(other).length;
-    if (std::abs(way) <= kOnePlace * direction.length ||
-      !surface.direction(other).collapsed[end])
-    {
-      continue;
-    }
-    return pole_fan(surface, from, i, way);
-  }
-  const Vector3 normal = this->normal(leaving.rim, 0.0);
-  double angle = std::atan2(normal.dot(forth.cross(back)), forth.dot(back));
-  angle += angle < 0.0 ? 2.0 * pi : 0.0;
-  return angle * normal;
-}
-
-Vector3 FaceNeighbours::wedges(
-  const std::vector<Passage>& arriving, const std::vector<Passage>& leaving) const
-{
-  Vector3 sum = Vector3::Zero();
-  std::vector<bool> used(leaving.size(), false);
-  for (const Passage& in : arriving)
-  {
-    // Of several beginnings that one whose place in the parameters is nearest.
-    const EdgeCurve& curve = *this->Rims[in.rim].curve;
-    const Parameter<2> at = curve.surface_parameter(curve.direction(0).length, Side::Left);
-    std::size_t best = leaving.size();
-    double nearest = INFINITY;
-    for (std::size_t k = 0; k < leaving.size(); ++k)
-    {
-      const EdgeCurve& other = *this->Rims[leaving[k].rim].curve;
-      const double distance = &other.surface() == &curve.surface()
-        ? (other.surface_parameter(0.0) - at).norm()
-        : INFINITY;
-      if (!used[k] && (distance < nearest || best == leaving.size()))
-      {
-        best = k;
-        nearest = distance;
-      }
-    }
-    if (best < leaving.size())
-    {
-      used[best] = true;
-      sum += this->wedge(in, leaving[best]);
-    }
-  }
-  return sum;
-}
-
-Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
-{
-  const Vertex* vertex = nullptr;
-  double nearest = this->Sewing;
-  visit_near_boxes(
-    this->VertexTree, point - this->Centre, [&nearest] { return nearest; },
-    [&](std::int32_t index)
-    {
-      const Vertex& here = this->Vertices[index];
-      const double distance = (here.point - point).norm();
-      if (distance <= nearest)
-      {
-        vertex = &here;
-        nearest = distance;
-      }
-    });
-  return vertex ? vertex->pseudonormal : this->weighted_normals(this->meeting(point, face));
-}
-
-Vector3 FaceNeighbours::weighted_normals(const Meeting& meeting) const
-{
-  const std::vector<Passage>& here = meeting.passages;
-  Vector3 sum = Vector3::Zero();
-  const double pi = std::acos(-1.0);
-  std::vector<int> faces;
-  for (const Passage& passage : here)
-  {
-    faces.push_back(this->Rims[passage.rim].face);
-  }
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  for (const int each : faces)
-  {
-    Vector3 of_face = Vector3::Zero();
-    std::vector<Passage> arriving;
-    std::vector<Passage> leaving;
-    for (const Passage& passage : here)
-    {
-      const Rim& rim = this->Rims[passage.rim];
-      if (rim.face != each)
-      {
-        continue;
-      }
-      const EdgeCurve& curve = *rim.curve;
-      const double length = curve.direction(0).length;
-      const auto is_at = [&](double t)
-      { return (curve.centre() + curve.point(Parameter<1>(t)) - meeting.point).norm() <= meeting.reach; };
-      const bool at_start = is_at(0.0);
-      const bool at_end = is_at(length);
-      if (at_end)
-      {
-        arriving.push_back(passage);
-      }
-      if (at_start)
-      {
-        leaving.push_back(passage);
-      }
-      if (!at_start && !at_end)
-      {
-        of_face += pi * this->normal(passage.rim, passage.t);
-      }
-    }
-    of_face += this->wedges(arriving, leaving);
-    sum += this->Reversed[each] ? Vector3(-of_face) : of_face;
-  }
-  return sum.norm() > kNoNormal ? sum : Vector3(Vector3::Zero());
 }
 
 } // namespace footpoint

@@ -33,7 +33,8 @@ public:
   /// The weighted sum at a point on the border of a face; zero where no other border meets there.
   Vector3 pseudonormal(const Vector3& point, int face) const;
 
-  /// Borders of surfaces without a neighbour in their middle: 0 on a closed solid.
+  /// Borders of faces without a neighbour in their middle or, where they have kinks, in the middles of
+  /// up to eight of their smooth parts: 0 on a closed solid.
   std::int64_t number_of_open_edges() const { return this->OpenEdges; }
 
 private:
@@ -78,12 +79,15 @@ private:
   void add_rims(const Model& model);
   void add_parts(double size);
   void add_vertices();
+  bool is_open(std::size_t rim) const;
   Meeting meeting(const Vector3& point, int face) const;
   Vector3 weighted_normals(const Meeting& meeting) const;
   std::vector<Passage> passages(const Vector3& point, int face, double reach) const;
   Passage nearest_on(const Part& part, const Vector3& point, double tolerance) const;
   Passage descend(const Part& part, const Vector3& local, double fraction) const;
   Vector3 normal(std::size_t rim, double t) const;
+  bool add_ends(const Meeting& meeting, const Passage& passage, std::vector<Passage>& arriving,
+    std::vector<Passage>& leaving) const;
   /// Of all rims of one face that begin or end at a vertex: the normals times the angles.
   Vector3 wedges(const std::vector<Passage>& arriving, const std::vector<Passage>& leaving) const;
   Vector3 wedge(const Passage& arriving, const Passage& leaving) const;
