@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/face_neighbours.h"
 
+#include "footpoint/model/evaluation.h"
 #include "footpoint/model/shared_borders.h"
 #include "footpoint/search/box_traversal.h"
 
@@ -24,8 +25,10 @@ constexpr int kStarts = 4;
 constexpr int kSteps = 10;
 constexpr double kLastStep = 1e-9;
 
-/// Smooth parts of a rim at which a neighbour is looked for: a polyline has as many as segments.
+/// Parts of a rim between corners at which a neighbour is looked for: a polyline has as many as
+/// segments. What turns by less than this cosine says is no corner but the joint of two spans.
 constexpr std::size_t kPartsOfRim = 8;
+constexpr double kCornerCosine = 0.999;
 
 /// How far from a point the borders of other faces are looked for at first, as a fraction of the
 /// model's size, and by how much farther each time that there are none.
@@ -58,6 +61,25 @@ bool is_shared(const SharedBorders& shared, int side)
 {
   const bool along_u = side % 2 == 0;
   return shared.shared[along_u ? 1 : 0][side == 1 || side == 2];
+}
+
+/// Where a curve turns sharply, its ends included.
+std::vector<double> corners_of(const EdgeCurve& curve)
+{
+  const std::vector<Break>& breaks = curve.direction(0).breaks;
+  std::vector<double> corners{ 0.0 };
+  for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
+  {
+    const Parameter<1> at(breaks[k].at);
+    const Vector3 before = unit_tangent(curve, at, Sides<1>(Side::Left));
+    const Vector3 after = unit_tangent(curve, at, Sides<1>(Side::Right));
+    if (before.dot(after) < kCornerCosine)
+    {
+      corners.push_back(breaks[k].at);
+    }
+  }
+  corners.push_back(curve.direction(0).length);
+  return corners;
 }
 
 } // namespace
@@ -100,17 +122,18 @@ FaceNeighbours::FaceNeighbours(const Model& model, double size)
   }
 }
 
-/// Whether no other rim passes the middle of one of its smooth parts, of which a few are looked at.
+/// Whether no other rim passes the middle of one of its parts between corners, of which a few are
+/// looked at.
 bool FaceNeighbours::is_open(std::size_t k) const
 {
   const Rim& rim = this->Rims[k];
-  const std::vector<Break>& breaks = rim.curve->direction(0).breaks;
-  const std::size_t parts = breaks.size() - 1;
+  const std::vector<double> corners = corners_of(*rim.curve);
+  const std::size_t parts = corners.size() - 1;
   const std::size_t count = std::min(parts, kPartsOfRim);
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::size_t part = (2 * i + 1) * parts / (2 * count);
-    const Parameter<1> middle(0.5 * breaks[part].at + 0.5 * breaks[part + 1].at);
+    const Parameter<1> middle(0.5 * corners[part] + 0.5 * corners[part + 1]);
     const std::vector<Passage> here =
       this->meeting(rim.curve->centre() + rim.curve->point(middle), rim.face).passages;
     if (std::none_of(
