@@ -24,10 +24,11 @@ step() {
   [ "$verdict" = ok ]
 }
 
-# Rendering needs an X server; one for all tests of a build is safest. The preset makes ctest fail
-# where there are no tests.
+# Rendering needs an X server; one for all tests of a build is safest. It must not start anew when
+# its last client leaves (-noreset): a test that connects at that moment is refused. The preset makes
+# ctest fail where there are no tests.
 run_tests() {
-  xvfb-run -a -s "-screen 0 1280x1024x24" ctest --preset "$1" -j "$jobs"
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" ctest --preset "$1" -j "$jobs"
 }
 
 build_and_test() {
