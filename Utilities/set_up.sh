@@ -2,7 +2,8 @@
 # Installs what one flavour of the build needs on Debian 12 (bookworm):
 #
 #   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, Open CASCADE, VTK 9.1, Xvfb
-#   Utilities/set_up.sh paraview    the same tools, and ParaView 5.11 in a private folder
+#   Utilities/set_up.sh paraview    the same tools, and ParaView 5.11 in a private folder, with what
+#                                   its help pages and the tests of its window need
 #   Utilities/set_up.sh benchmarks  as vtk, and what Testing/Benchmarks needs and compares with
 #
 # Works as root or through sudo, says what it does, and does nothing where all is there already.
@@ -23,6 +24,9 @@ vtk=(libvtk9-dev python3-vtk9)
 paraview=(libutfcpp-dev libdouble-conversion-dev liblz4-dev liblzma-dev libexpat1-dev
   libpython3-dev libopenmpi-dev zlib1g-dev libgl-dev libglew-dev libx11-dev libpng-dev
   libjpeg-dev libtiff-dev libfreetype-dev)
+# The plugin's help pages; and its window under test: keys and mouse, screenshots, icons, a font.
+paraview_help=(qttools5-dev qtxmlpatterns5-dev-tools qhelpgenerator-qt5 libqt5sql5-sqlite)
+paraview_window=(xdotool imagemagick libqt5svg5 fonts-dejavu-core)
 benchmarks=(libsisl-dev libbenchmark-dev python3-matplotlib)
 
 say() { echo "set-up: $*"; }
@@ -108,7 +112,8 @@ vtk)
   install_packages "${tools[@]}" "${cad[@]}" "${vtk[@]}"
   ;;
 paraview)
-  install_packages "${tools[@]}" "${cad[@]}" "${paraview[@]}"
+  install_packages "${tools[@]}" "${cad[@]}" "${paraview[@]}" "${paraview_help[@]}" \
+    "${paraview_window[@]}"
   unpack_paraview
   install_paraview_libraries
   ;;

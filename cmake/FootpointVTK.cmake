@@ -16,10 +16,12 @@ if (BUILD_TESTING)
 endif ()
 if (FOOTPOINT_USE_PARAVIEW)
   # The hints are where Utilities/set_up.sh unpacks ParaView.
+  set(CMAKE_WARN_DEPRECATED OFF) # ParaView's own files use old names of its components
   find_package(ParaView 5.11 REQUIRED
-    COMPONENTS RemotingCore RemotingServerManager WrapClientServer ProcessXML
+    COMPONENTS RemotingCore RemotingServerManager RemotingViews WrapClientServer ProcessXML
     HINTS "$ENV{FOOTPOINT_PARAVIEW_ROOT}/usr" "$ENV{XDG_CACHE_HOME}/footpoint/paraview-5.11/usr"
           "$ENV{HOME}/.cache/footpoint/paraview-5.11/usr")
+  unset(CMAKE_WARN_DEPRECATED)
   find_package(VTK REQUIRED
     COMPONENTS ${vtk_components}
     PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
@@ -62,6 +64,20 @@ add_subdirectory(Wrapping/Python)
 
 # --- ParaView plugin around the same modules
 if (FOOTPOINT_USE_PARAVIEW)
+  # A module of its own package: it is for the client alone, neither wrapped for Python nor found by
+  # find_package(Footpoint).
+  vtk_module_scan(
+    MODULE_FILES     "${CMAKE_SOURCE_DIR}/Wrapping/ParaView/ServerManager/vtk.module"
+    REQUEST_MODULES  Footpoint::ServerManager
+    PROVIDES_MODULES footpoint_client_modules
+    ENABLE_TESTS     OFF)
+  vtk_module_build(
+    MODULES             ${footpoint_client_modules}
+    PACKAGE             FootpointServerManager
+    INSTALL_HEADERS     OFF
+    VERSION             "${PROJECT_VERSION}"
+    SOVERSION           1
+    TEST_DIRECTORY_NAME NONE)
   set(footpoint_plugin_subdir
     "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
   paraview_plugin_scan(
