@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pictures of ParaView's window in the guide, made by doing what the guide says.
+
+    FOOTPOINT_PLUGIN=<path of Footpoint.so> python3 start.py pictures.py <output folder>
+"""
+
+from pathlib import Path
+import sys
+
+from paraview import simple
+from PyQt5.QtCore import QPoint, QRect, Qt
+from PyQt5.QtGui import QColor
+from PyQt5.QtWidgets import QApplication, QDockWidget
+
+import window
+
+PART = Path("/usr/share/opencascade/data/step/linkrods.step")  # of Debian's Open CASCADE
+FOLDER = Path(sys.argv[1])
+SCAN = FOLDER / "rod_scan.vtp"
+#: A link rod, in mm, that came out bent upwards, with a dent across its arm.
+BENT = ("coordsX*iHat + coordsY*jHat + (coordsZ + 0.004*(coordsX-2)*abs(coordsX-2)"
+        " - 0.1*exp(-20*(coordsX-5.2)^2))*kHat")
+
+
+def save(name, rectangle):
+    """A part of the screen, as it is."""
+    settled = QApplication.primaryScreen().grabWindow(
+        0, rectangle.x(), rectangle.y(), rectangle.width(), rectangle.height())
+    assert settled.save(str(FOLDER / name), "PNG", 0), f"cannot write {FOLDER / name}"
+    return settled.toImage()
+
+
+def place(widget):
+    """Where a widget is on the screen."""
+    return QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size())
+
+
+def picture_of_menu():
+    """Filters > Footpoint, unrolled."""
+    filters = window.menu("Filters")
+    bar = window.main_window().menuBar()
+    corner = bar.mapToGlobal(bar.actionGeometry(filters).bottomLeft())
+    filters.menu().popup(corner)
+    window.settle()
+    category = window.menu("Filters", "Footpoint").menu()
+    entry = filters.menu().actionGeometry(category.menuAction())
+    category.popup(filters.menu().mapToGlobal(entry.topRight()))
+    window.settle()
+    category.setActiveAction(window.menu("Filters", "Footpoint", "Point Inversion"))
+    window.settle()
+    save("menu.png", place(bar).united(place(filters.menu())).united(place(category)) &
+         QRect(0, 0, corner.x() + 560, place(category).bottom() + 60))
+    category.close()
+    filters.menu().close()
+    window.settle()
+
+
+def make_scan():
+    """What a scanner would have made: a fine mesh of the bent rod, in a file."""
+    rod = simple.CADReader(FileName=str(PART), AngularDeflection=6.0)
+    fine = simple.Subdivide(Input=simple.OutputPort(rod, 0), NumberofSubdivisions=1)
+    bent = simple.Calculator(Input=fine, CoordinateResults=1, Function=BENT)
+    simple.SaveData(str(SCAN), bent)
+    for source in (bent, fine, rod):
+        simple.Delete(source)
+
+
+def open_files():
+    """Both, under the names that File > Open gives them."""
+    rod = simple.CADReader(FileName=str(PART), registrationName=PART.name)
+    scan = simple.XMLPolyDataReader(FileName=[str(SCAN)], registrationName=SCAN.name)
+    simple.Show(simple.OutputPort(rod, 0))
+    simple.Show(scan)
+    simple.ResetCamera()
+    simple.SetActiveSource(scan)
+    window.settle()
+    return rod, scan
+
+
+def invert():
+    """Point Inversion of the scan, by the menu and the dialog."""
+    action = window.menu("Filters", "Footpoint", "Point Inversion")
+    window.with_dialog(action.trigger, lambda dialog: window.answer_inputs(
+        dialog, {"Input": SCAN.name, "Source": "Model"},
+        lambda shown: save("inputs.png", place(shown))))
+    window.settle()
+    return simple.GetActiveSource()
+
+
+def look_at(source, part):
+    """The result alone, from above; a title that names the unit."""
+    view = simple.GetActiveView()
+    simple.LoadPalette("WhiteBackground")
+    simple.Hide(part, view)
+    legend = simple.GetScalarBar(simple.GetColorTransferFunction("SignedDistance"), view)
+    legend.Title = "Deviation [mm]"
+    legend.WindowLocation = "Lower Right Corner"
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraFocalPoint = [5.6, 3.2, 1.0]
+    view.CameraPosition = [6.6, -4.3, 6.0]
+    view.ResetCamera(True, 0.95)
+    simple.Render(view)
+    window.settle()
+
+
+def share(image, is_wanted):
+    """The fraction of the pixels that are so."""
+    pixels = [QColor(image.pixel(x, y)) for x in range(0, image.width(), 2)
+              for y in range(0, image.height(), 2)]
+    return sum(map(is_wanted, pixels)) / len(pixels)
+
+
+FOLDER.mkdir(parents=True, exist_ok=True)
+if not PART.exists() or not hasattr(simple, "CADReader"):
+    print(f"skipped: no {PART}" if not PART.exists() else "skipped: built without Open CASCADE")
+    sys.exit(125)
+main = window.main_window()
+main.resize(1180, 760)
+dock = main.findChild(QDockWidget, "propertiesDock")
+main.resizeDocks([dock], [380], Qt.Horizontal)
+make_scan()
+rod, scan = open_files()
+picture_of_menu()
+deviation = invert()
+panel = window.Panel()
+panel.set("DeviationTolerance", 0.05)
+panel.apply()
+panel.show_top()
+look_at(deviation, rod)
+image = save("window.png", place(main))
+
+# What the picture is to show: the rod above and below the part, and the white behind it.
+red = share(image, lambda c: c.red() > c.blue() + 60 and c.red() > c.green() + 60)
+blue = share(image, lambda c: c.blue() > c.red() + 60 and c.blue() > c.green() + 60)
+assert red > 0.01 and blue > 0.005, f"red {red:.4f}, blue {blue:.4f} of the window"
+print(f"3 pictures in {FOLDER}; red {red:.1%}, blue {blue:.1%} of the window")

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in ParaView's window: menus, the dialog of two inputs, Apply, colours, undo and redo,
+tooltips and help. Documentation/examples/window/start.py runs this.
+"""
+
+from pathlib import Path
+import re
+import sys
+import unittest
+
+import numpy as np
+from paraview import servermanager, simple
+from PyQt5.QtWidgets import QTextBrowser
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "Testing" / "Python"))
+
+from proxies import options, proxies, text  # noqa: E402
+import window  # noqa: E402
+
+DATA = ROOT / "Data"
+
+
+def fetch(proxy, name):
+    """From the filter itself: servermanager.Fetch would be a step that Undo undoes."""
+    data = proxy.GetClientSideObject().GetOutputDataObject(0)
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+class Window(unittest.TestCase):
+    def setUp(self):
+        simple.ResetSession()
+        window.settle()
+        self.panel = window.Panel()
+        simple.XMLStructuredGridReader(
+            FileName=[str(DATA / "blade.vts")], registrationName="blade.vts")
+        self.scan = simple.XMLPolyDataReader(
+            FileName=[str(DATA / "scan.vtp")], registrationName="scan.vtp")
+        simple.SetActiveSource(self.scan)
+        window.settle()
+
+    def invert(self):
+        """Point Inversion by the menu and the dialog, not yet applied."""
+        action = window.menu("Filters", "Footpoint", "Point Inversion")
+        window.with_dialog(action.trigger, lambda dialog: window.answer_inputs(
+            dialog, {"Input": "scan.vtp", "Source": "blade.vts"}))
+        window.settle()
+        return simple.GetActiveSource()
+
+    def test_menus(self):
+        """Every filter is in the category, readers are not."""
+        expected = {"filters": set(), "sources": set()}
+        for name, proxy in proxies().items():
+            if proxy.find("Hints/ShowInMenu") is not None and \
+                    proxy.find("Hints/ReaderFactory") is None:
+                group = "sources" if hasattr(servermanager.sources, name) and \
+                    not hasattr(servermanager.filters, name) else "filters"
+                expected[group].add(proxy.get("label"))
+        self.assertGreaterEqual(len(expected["filters"]), 7)
+        self.assertEqual(set(window.labels("Filters", "Footpoint")), expected["filters"])
+        if expected["sources"]:
+            self.assertEqual(set(window.labels("Sources", "Footpoint")), expected["sources"])
+
+    def test_inputs_apply_and_colours(self):
+        proxy = self.invert()
+        self.assertEqual(proxy.Input.GetXMLName(), "XMLPolyDataReader")
+        self.assertEqual(proxy.Source.GetXMLName(), "XMLStructuredGridReader")
+        self.panel.apply()
+        view = simple.GetActiveView()
+        display = simple.GetDisplayProperties(proxy, view)
+        self.assertTrue(display.Visibility)
+        self.assertEqual(list(display.ColorArrayName), ["POINTS", "SignedDistance"])
+        self.check_colours(proxy)
+        legend = simple.GetScalarBar(display.LookupTable, view)
+        self.assertTrue(legend.Visibility)
+        self.assertEqual([v.GetXMLName() for v in simple.GetViews()], ["RenderView"])
+        shown = [r.Input.Port for r in view.Representations if getattr(r, "Input", None) == proxy]
+        self.assertEqual(shown, [0], "the points alone")
+        self.assertEqual(legend.Title, "SignedDistance")
+
+    def test_colours_after_another_apply(self):
+        """The map stays symmetric while it grows; here about threefold, along z."""
+        proxy = self.invert()
+        self.panel.apply()
+        before = self.check_colours(proxy)
+        self.panel.set("FixedDirection", [0, 0, 1])
+        self.panel.apply()
+        display = simple.GetDisplayProperties(proxy, simple.GetActiveView())
+        points = list(display.LookupTable.RGBPoints)
+        largest = np.nanmax(np.abs(fetch(proxy, "SignedDistance")))
+        self.assertGreater(largest, 2 * before)
+        self.assertEqual((points[0], points[-4]), (-largest, largest))
+
+    def check_colours(self, proxy):
+        """The range of the map is ± the largest distance, which is returned."""
+        display = simple.GetDisplayProperties(proxy, simple.GetActiveView())
+        points = np.reshape(list(display.LookupTable.RGBPoints), (-1, 4))
+        largest = np.abs(fetch(proxy, "SignedDistance")).max()
+        self.assertEqual((points[0, 0], points[1, 0], points[2, 0]), (-largest, 0.0, largest))
+        return largest
+
+    def test_undo_and_redo_of_a_property(self):
+        proxy = self.invert()
+        self.panel.apply()
+        distances = fetch(proxy, "SignedDistance").copy()
+        self.panel.set("FlipNormals", True)
+        self.panel.apply()
+        np.testing.assert_array_equal(fetch(proxy, "SignedDistance"), -distances)
+        self.step("Undo Apply")
+        self.assertEqual(proxy.FlipNormals, 0)
+        proxy.UpdatePipeline()
+        np.testing.assert_array_equal(fetch(proxy, "SignedDistance"), distances)
+        self.step("Redo Apply")
+        self.assertEqual(proxy.FlipNormals, 1)
+        proxy.UpdatePipeline()
+        np.testing.assert_array_equal(fetch(proxy, "SignedDistance"), -distances)
+
+    def test_undo_and_redo_of_the_filter(self):
+        before = set(simple.GetSources())
+        proxy = self.invert()
+        self.panel.apply()
+        distances = fetch(proxy, "SignedDistance").copy()
+        del proxy
+        self.step("Undo Apply")
+        self.step("Undo Create 'PointInversion'")
+        self.assertEqual(set(simple.GetSources()), before)
+        self.step("Redo Create 'PointInversion'")
+        again = simple.FindSource("PointInversion1")
+        self.assertIsNotNone(again)
+        again.UpdatePipeline()
+        np.testing.assert_array_equal(fetch(again, "SignedDistance"), distances)
+
+    def step(self, label):
+        """Undo or redo, which must be of that."""
+        window.menu("Edit", label).trigger()
+        window.settle()
+
+    def test_tooltips(self):
+        """The words of the XML are shown at the widgets."""
+        self.invert()
+        self.panel.show_advanced()
+        for name, element in options(proxies()["PointInversion"]).items():
+            tip = re.sub(r"<[^>]*>", "", self.panel.option(name).toolTip())
+            self.assertEqual(" ".join(tip.split()), text(element), name)
+        self.panel.show_advanced(False)
+
+    def test_help(self):
+        """The help button shows the page made of the XML."""
+        self.invert()
+        self.panel.button("Help").click()
+
+        def page():
+            browsers = [b for w in window.visible("pqHelpWindow")
+                        for b in w.findChildren(QTextBrowser)]
+            return next((b.toPlainText() for b in browsers if "Point Inversion" in b.toPlainText()),
+                        None)
+
+        shown = " ".join(window.wait(page, "the page of Point Inversion").split())
+        self.assertIn(text(proxies()["PointInversion"]), shown)
+        self.assertIn(text(options(proxies()["PointInversion"])["MaximumDistance"]), shown)
+        for help_window in window.visible("pqHelpWindow"):
+            help_window.close()
+
+
+if __name__ == "__main__":
+    window.main_window().resize(1400, 1000)
+    unittest.main()
