@@ -24,9 +24,9 @@ vtk=(libvtk9-dev python3-vtk9)
 paraview=(libutfcpp-dev libdouble-conversion-dev liblz4-dev liblzma-dev libexpat1-dev
   libpython3-dev libopenmpi-dev zlib1g-dev libgl-dev libglew-dev libx11-dev libpng-dev
   libjpeg-dev libtiff-dev libfreetype-dev)
-# The plugin's help pages; and its window under test: keys and mouse, screenshots, icons, a font.
+# The plugin's help pages; and ParaView's window under test: its widgets in Python, icons, a font.
 paraview_help=(qttools5-dev qtxmlpatterns5-dev-tools qhelpgenerator-qt5 libqt5sql5-sqlite)
-paraview_window=(xdotool imagemagick libqt5svg5 fonts-dejavu-core)
+paraview_window=(python3-pyqt5 libqt5svg5 fonts-dejavu-core)
 benchmarks=(libsisl-dev libbenchmark-dev python3-matplotlib)
 
 say() { echo "set-up: $*"; }

@@ -94,11 +94,12 @@ def look_at(source, part):
     simple.Hide(part, view)
     legend = simple.GetScalarBar(simple.GetColorTransferFunction("SignedDistance"), view)
     legend.Title = "Deviation [mm]"
-    legend.WindowLocation = "Lower Right Corner"
+    legend.WindowLocation = "Upper Right Corner"
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint = [5.6, 3.2, 1.0]
-    view.CameraPosition = [6.6, -4.3, 6.0]
-    view.ResetCamera(True, 0.95)
+    view.CameraPosition = [7.0, -2.2, 8.0]
+    simple.ResetCamera(view)
+    simple.GetActiveCamera().Zoom(1.15)
     simple.Render(view)
     window.settle()
 
@@ -116,8 +117,8 @@ if not PART.exists() or not hasattr(simple, "CADReader"):
     sys.exit(125)
 main = window.main_window()
 main.resize(1180, 760)
-dock = main.findChild(QDockWidget, "propertiesDock")
-main.resizeDocks([dock], [380], Qt.Horizontal)
+main.resizeDocks([main.findChild(QDockWidget, "propertiesDock")], [380], Qt.Horizontal)
+main.resizeDocks([main.findChild(QDockWidget, "pipelineBrowserDock")], [270], Qt.Vertical)
 make_scan()
 rod, scan = open_files()
 picture_of_menu()
@@ -132,5 +133,5 @@ image = save("window.png", place(main))
 # What the picture is to show: the rod above and below the part, and the white behind it.
 red = share(image, lambda c: c.red() > c.blue() + 60 and c.red() > c.green() + 60)
 blue = share(image, lambda c: c.blue() > c.red() + 60 and c.blue() > c.green() + 60)
-assert red > 0.01 and blue > 0.005, f"red {red:.4f}, blue {blue:.4f} of the window"
+assert red > 0.01 and blue > 0.002, f"red {red:.4f}, blue {blue:.4f} of the window"
 print(f"3 pictures in {FOLDER}; red {red:.1%}, blue {blue:.1%} of the window")

@@ -5,7 +5,7 @@
 
 The plugin is loaded as PV_PLUGIN_PATH loads it; settings are ParaView's own defaults. Prints what the
 program prints, and exits with its code; with 125 and a reason where the window cannot be shown, and
-with 1 where the program has not ended after 200 seconds. FOOTPOINT_PARAVIEW is the path of ParaView,
+with 1 where the program has not ended after 500 seconds. FOOTPOINT_PARAVIEW is the path of ParaView,
 if it is not on PATH.
 """
 
@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 SKIP = 125
-SECONDS = 200
+SECONDS = 500
 SCREEN = "1400x1000x24"
 
 #: What ParaView runs: os._exit, as there is nothing to save and nobody to ask.

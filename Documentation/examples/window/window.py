@@ -3,6 +3,7 @@
 start.py runs. What is done here is what a user's mouse and keys do to the same widgets.
 """
 
+import ctypes
 import time
 
 from PyQt5.QtCore import QAbstractItemModel, QItemSelectionModel, Qt, QTimer
@@ -12,6 +13,22 @@ from PyQt5.QtWidgets import (
     QToolButton, QWidget)
 
 SECONDS = 60  # that anything may take
+
+#: QCoreApplication::processEvents(QEventLoop::ProcessEventsFlags). PyQt's would release Python's
+#: lock, which ParaView takes to be its own while it records a trace.
+_process_events = ctypes.PyDLL("libQt5Core.so.5")[
+    "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+_process_events.argtypes, _process_events.restype = [ctypes.c_int], None
+
+
+def work(seconds):
+    """Lets the window do what is waiting in its queues and timers."""
+    end = time.monotonic() + seconds
+    while True:
+        _process_events(0)
+        if time.monotonic() > end:
+            return
+        time.sleep(0.01)
 
 
 def wait(condition, what):
@@ -23,12 +40,12 @@ def wait(condition, what):
             return value
         if time.monotonic() > end:
             raise TimeoutError(f"not within {SECONDS} s: {what}")
-        QTest.qWait(50)
+        work(0.05)
 
 
 def settle():
-    """Lets the window finish what is waiting in its queues and timers."""
-    QTest.qWait(300)
+    """Lets the window finish what follows from a click."""
+    work(0.3)
 
 
 def plain(label):

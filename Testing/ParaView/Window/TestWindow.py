@@ -3,13 +3,15 @@
 tooltips and help. Documentation/examples/window/start.py runs this.
 """
 
+import os
 from pathlib import Path
 import re
+import subprocess
 import sys
 import unittest
 
 import numpy as np
-from paraview import servermanager, simple
+from paraview import servermanager, simple, smtrace
 from PyQt5.QtWidgets import QTextBrowser
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -20,6 +22,24 @@ from proxies import options, proxies, text  # noqa: E402
 import window  # noqa: E402
 
 DATA = ROOT / "Data"
+OUTPUT = Path(os.environ["FOOTPOINT_TEST_OUTPUT"])
+
+#: The trace begins when view and files are there, and finds them by name.
+AROUND_TRACE = """
+import os
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+simple.LoadPlugin(os.environ["FOOTPOINT_PLUGIN"], remote=False, ns=vars(simple))
+view = simple.CreateView("RenderView", registrationName="RenderView1")
+simple.AssignViewToLayout(view=view, layout=simple.CreateLayout())
+simple.XMLStructuredGridReader(FileName=["{data}/blade.vts"], registrationName="blade.vts")
+simple.XMLPolyDataReader(FileName=["{data}/scan.vtp"], registrationName="scan.vtp")
+{trace}
+data = simple.servermanager.Fetch(simple.FindSource("PointInversion1"), 0, idx=0)
+numpy.save("{result}", vtk_to_numpy(data.GetPointData().GetArray("SignedDistance")))
+simple.Delete(simple.GetActiveView())
+"""
 
 
 def fetch(proxy, name):
@@ -135,6 +155,27 @@ class Window(unittest.TestCase):
         """Undo or redo, which must be of that."""
         window.menu("Edit", label).trigger()
         window.settle()
+
+    def test_trace(self):
+        """What Tools > Start Trace records runs in pvpython, to the same numbers."""
+        smtrace.start_trace()
+        proxy = self.invert()
+        self.panel.apply()
+        self.panel.set("Search", "Seeded")
+        self.panel.set("FlipNormals", True)
+        self.panel.apply()
+        trace = smtrace.stop_trace()
+        self.assertIn("= PointInversion(registrationName='PointInversion1'", trace)
+        self.assertIn("pointInversion1.Search = 'Seeded'", trace)
+        self.assertIn("pointInversion1.FlipNormals = 1", trace)
+        script, result = OUTPUT / "window_trace.py", OUTPUT / "window_trace.npy"
+        script.write_text(AROUND_TRACE.format(
+            data=str(DATA), trace=trace, result=str(result)), encoding="utf-8")
+        result.unlink(missing_ok=True)
+        done = subprocess.run([os.environ["FOOTPOINT_PVPYTHON"], str(script)], timeout=200,
+                              capture_output=True, text=True, check=False)
+        self.assertTrue(result.exists(), done.stdout + done.stderr)
+        np.testing.assert_array_equal(np.load(result), fetch(proxy, "SignedDistance"))
 
     def test_tooltips(self):
         """The words of the XML are shown at the widgets."""
