@@ -91,9 +91,25 @@ class TestCode(unittest.TestCase):
     def test_every_example_is_listed(self):
         index = (ROOT / "Documentation" / "README.md").read_text(encoding="utf-8")
         folder = ROOT / "Documentation" / "examples"
-        for pattern in ("*.py", "*.cpp", "paraview/*.py"):
+        for pattern in ("*.py", "*.cpp", "paraview/*.py", "window/pictures.py"):
             for path in folder.glob(pattern):
                 self.assertIn(f"(examples/{path.relative_to(folder).as_posix()})", index)
+
+
+class TestPictures(unittest.TestCase):
+    def test_every_picture_is_used_and_small(self):
+        pages = "".join(page.read_text(encoding="utf-8") for page in PAGES)
+        for path in (ROOT / "Documentation" / "images").rglob("*.png"):
+            with self.subTest(picture=path.name):
+                name = path.relative_to(ROOT / "Documentation").as_posix()
+                self.assertIn(f"({name})", pages.replace("(Documentation/", "("))
+                self.assertLess(path.stat().st_size, 200_000)
+
+    def test_pages_are_listed(self):
+        index = (ROOT / "Documentation" / "README.md").read_text(encoding="utf-8")
+        for page in (ROOT / "Documentation").glob("*.md"):
+            if page.name != "README.md":
+                self.assertIn(f"]({page.name})", index)
 
 
 def anchors(text):

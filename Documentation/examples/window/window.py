@@ -9,8 +9,8 @@ import time
 from PyQt5.QtCore import QAbstractItemModel, QItemSelectionModel, Qt, QTimer
 from PyQt5.QtTest import QTest
 from PyQt5.QtWidgets import (
-    QApplication, QCheckBox, QComboBox, QDialogButtonBox, QLineEdit, QRadioButton, QScrollArea,
-    QToolButton, QWidget)
+    QApplication, QCheckBox, QComboBox, QDialogButtonBox, QLineEdit, QPushButton, QRadioButton,
+    QScrollArea, QToolButton, QWidget)
 
 SECONDS = 60  # that anything may take
 
@@ -97,6 +97,8 @@ def with_dialog(trigger, answer):
         timer.stop()
         try:
             answer(dialog)
+            if dialog.isVisible():
+                raise TimeoutError(f"the dialog {dialog.windowTitle()!r} stays")
         except BaseException as error:  # would be lost in Qt
             failures.append(error)
             dialog.reject()
@@ -133,6 +135,16 @@ def select_in_tree(dialog, name):
     for selection in view.findChildren(QItemSelectionModel):
         if selection.model() is model:
             selection.setCurrentIndex(found[0], QItemSelectionModel.ClearAndSelect)
+
+
+def answer_file(dialog, path):
+    """In the dialog of File > Open: types the path."""
+    name = dialog.findChild(QLineEdit, "EntityName")
+    name.setFocus()
+    name.clear()
+    QTest.keyClicks(name, str(path))
+    work(0.3)
+    dialog.findChild(QPushButton, "OK").click()
 
 
 class Panel:

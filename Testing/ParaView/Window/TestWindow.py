@@ -22,6 +22,7 @@ from proxies import options, proxies, text  # noqa: E402
 import window  # noqa: E402
 
 DATA = ROOT / "Data"
+PART = Path("/usr/share/opencascade/data/step/linkrods.step")  # of Debian's Open CASCADE
 OUTPUT = Path(os.environ["FOOTPOINT_TEST_OUTPUT"])
 
 #: The trace begins when view and files are there, and finds them by name.
@@ -46,6 +47,14 @@ def fetch(proxy, name):
     """From the filter itself: servermanager.Fetch would be a step that Undo undoes."""
     data = proxy.GetClientSideObject().GetOutputDataObject(0)
     return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def shown_ports(source):
+    """The outputs of a source that the view shows."""
+    inputs = [r.SMProxy.GetProperty("Input") for r in simple.GetActiveView().Representations
+              if r.GetProperty("Input") is not None and r.Visibility]
+    return sorted(p.GetOutputPortForConnection(0) for p in inputs
+                  if p.GetProxy(0) is source.SMProxy)
 
 
 class Window(unittest.TestCase):
@@ -82,6 +91,18 @@ class Window(unittest.TestCase):
         if expected["sources"]:
             self.assertEqual(set(window.labels("Sources", "Footpoint")), expected["sources"])
 
+    def test_open_cad_file(self):
+        """File > Open knows the extension; Apply shows the mesh and the edges, not control nets."""
+        if not PART.exists() or not hasattr(simple, "CADReader"):
+            self.skipTest(f"no {PART}, or built without Open CASCADE")
+        window.with_dialog(window.menu("File", "Open...").trigger,
+                           lambda dialog: window.answer_file(dialog, PART))
+        window.settle()
+        reader = simple.GetActiveSource()
+        self.assertEqual(reader.GetXMLName(), "CADReader")
+        self.panel.apply()
+        self.assertEqual(shown_ports(reader), [0, 2])
+
     def test_inputs_apply_and_colours(self):
         proxy = self.invert()
         self.assertEqual(proxy.Input.GetXMLName(), "XMLPolyDataReader")
@@ -95,8 +116,7 @@ class Window(unittest.TestCase):
         legend = simple.GetScalarBar(display.LookupTable, view)
         self.assertTrue(legend.Visibility)
         self.assertEqual([v.GetXMLName() for v in simple.GetViews()], ["RenderView"])
-        shown = [r.Input.Port for r in view.Representations if getattr(r, "Input", None) == proxy]
-        self.assertEqual(shown, [0], "the points alone")
+        self.assertEqual(shown_ports(proxy), [0], "the points alone")
         self.assertEqual(legend.Title, "SignedDistance")
 
     def test_colours_after_another_apply(self):
