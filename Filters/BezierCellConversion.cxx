@@ -125,28 +125,13 @@ Patch convert_cell(vtkUnstructuredGrid* grid, vtkIdType cell, const Eigen::Vecto
   grid->GetCellPoints(cell, ids);
   const vtkIdType count = ids->GetNumberOfIds();
 
-  // === Position of each control point in the cell: corners, then edges, then the inside
-  std::vector<vtkIdType> order(static_cast<std::size_t>(count));
   std::array<int, 2> degree{ { static_cast<int>(count) - 1, 0 } };
-  if (type == VTK_BEZIER_CURVE)
-  {
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      order[i] = i == 0 ? 0 : (i == count - 1 ? 1 : i + 1);
-    }
-  }
-  else
+  if (type == VTK_BEZIER_QUADRILATERAL)
   {
     degree = quadrilateral_degrees(grid, cell, count);
-    for (int j = 0; j <= degree[1]; ++j)
-    {
-      for (int i = 0; i <= degree[0]; ++i)
-      {
-        order[i + (degree[0] + 1) * j] =
-          vtkHigherOrderQuadrilateral::PointIndexFromIJK(i, j, degree.data());
-      }
-    }
   }
+  const std::vector<int> order =
+    type == VTK_BEZIER_CURVE ? bezier_node_order(degree[0]) : bezier_node_order(degree);
 
   Points control_points(3, count);
   Eigen::VectorXd weights(all_weights.size() > 0 ? count : 0);
@@ -208,7 +193,56 @@ std::vector<std::size_t> read_face_ids(vtkUnstructuredGrid* grid)
   return ids;
 }
 
+/// Names, orientations and tolerances of the faces; a face with bad ones is refused.
+void read_attributes(
+  vtkUnstructuredGrid* grid, ConvertedModel& converted, const std::vector<char>& refused)
+{
+  for (std::size_t id = 0; id < converted.model.size(); ++id)
+  {
+    Face& face = converted.model[id];
+    try
+    {
+      const FaceAttributes attributes = read_face_attributes(grid->GetFieldData(), id);
+      face.name = attributes.name;
+      face.reversed = attributes.reversed;
+      face.tolerance = attributes.tolerance;
+    }
+    catch (const GeometryError& error)
+    {
+      if (!refused[id] && !face.patches.empty())
+      {
+        converted.problems.push_back({ id, error.what() });
+      }
+      face.patches.clear();
+    }
+  }
+}
+
 } // namespace
+
+std::vector<int> bezier_node_order(const std::array<int, 2>& degree)
+{
+  std::vector<int> order;
+  for (int j = 0; j <= degree[1]; ++j)
+  {
+    for (int i = 0; i <= degree[0]; ++i)
+    {
+      order.push_back(vtkHigherOrderQuadrilateral::PointIndexFromIJK(i, j, degree.data()));
+    }
+  }
+  return order;
+}
+
+std::vector<int> bezier_node_order(int degree)
+{
+  std::vector<int> order{ 0 };
+  for (int i = 1; i < degree; ++i)
+  {
+    order.push_back(i + 1);
+  }
+  order.push_back(1);
+  return order;
+}
 
 ConvertedModel convert_bezier_cells(vtkUnstructuredGrid* cells)
 {
@@ -250,6 +284,7 @@ ConvertedModel convert_bezier_cells(vtkUnstructuredGrid* cells)
       result.problems.push_back({ id, error.what() });
     }
   }
+  read_attributes(cells, result, refused);
   return result;
 }
 

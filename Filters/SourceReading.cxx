@@ -26,6 +26,18 @@ namespace
   throw GeometryError(defect, message);
 }
 
+/// Where in an array the value of a face is: one value is for all faces.
+std::size_t place_of_face(const char* name, std::size_t count, std::size_t face)
+{
+  if (count > 1 && face >= count)
+  {
+    refuse(GeometryDefect::Count,
+      std::string(name) + " has " + std::to_string(count) +
+        " values, none for this face; one for all faces or one for each is needed");
+  }
+  return count > 1 ? face : 0;
+}
+
 } // namespace
 
 std::vector<double> read_field_array(vtkFieldData* data, const char* name)
@@ -82,39 +94,43 @@ vtkDataObject* single_piece(vtkDataObject* data)
   return only;
 }
 
-FaceAttributes read_face_attributes(vtkFieldData* data)
+FaceAttributes read_face_attributes(vtkFieldData* data, std::size_t face)
 {
   FaceAttributes attributes;
   if (!data)
   {
     return attributes;
   }
-  auto* name = vtkStringArray::SafeDownCast(data->GetAbstractArray("FaceName"));
-  if (name && name->GetNumberOfValues() > 0)
+  auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray("FaceName"));
+  if (names && names->GetNumberOfValues() > 0)
   {
-    attributes.name = name->GetValue(0);
+    const std::size_t at = place_of_face("FaceName", names->GetNumberOfValues(), face);
+    attributes.name = names->GetValue(static_cast<vtkIdType>(at));
   }
-  const std::vector<double> orientation = read_field_array(data, "Orientation");
-  if (!orientation.empty())
+  const std::vector<double> orientations = read_field_array(data, "Orientation");
+  if (!orientations.empty())
   {
-    if (orientation[0] != 1.0 && orientation[0] != -1.0)
+    const std::size_t at = place_of_face("Orientation", orientations.size(), face);
+    if (orientations[at] != 1.0 && orientations[at] != -1.0)
     {
       refuse(GeometryDefect::Format,
-        "Orientation[0] = " + vtkVariant(orientation[0]).ToString() +
+        "Orientation[" + std::to_string(at) +
+          "] = " + vtkVariant(orientations[at]).ToString() +
           "; 1 (along Su × Sv) or -1 (reversed) is allowed");
     }
-    attributes.reversed = orientation[0] < 0.0;
+    attributes.reversed = orientations[at] < 0.0;
   }
-  const std::vector<double> tolerance = read_field_array(data, "Tolerance");
-  if (!tolerance.empty())
+  const std::vector<double> tolerances = read_field_array(data, "Tolerance");
+  if (!tolerances.empty())
   {
-    if (!(tolerance[0] >= 0.0 && std::isfinite(tolerance[0])))
+    const std::size_t at = place_of_face("Tolerance", tolerances.size(), face);
+    if (!(tolerances[at] >= 0.0 && std::isfinite(tolerances[at])))
     {
       refuse(GeometryDefect::Format,
-        "Tolerance[0] = " + vtkVariant(tolerance[0]).ToString() +
+        "Tolerance[" + std::to_string(at) + "] = " + vtkVariant(tolerances[at]).ToString() +
           "; a length in model units is needed, 0 or larger");
     }
-    attributes.tolerance = tolerance[0];
+    attributes.tolerance = tolerances[at];
   }
   return attributes;
 }

@@ -172,10 +172,10 @@ private:
     std::string name = block;
     try
     {
-      const FaceAttributes attributes = read_face_attributes(data->GetFieldData());
-      name = attributes.name.empty() ? block : attributes.name;
       if (auto* net = vtkStructuredGrid::SafeDownCast(data))
       {
+        const FaceAttributes attributes = read_face_attributes(data->GetFieldData());
+        name = attributes.name.empty() ? block : attributes.name;
         Face face;
         face.name = name;
         face.patches.push_back(convert_net(net));
@@ -185,7 +185,7 @@ private:
       }
       else if (auto* cells = vtkUnstructuredGrid::SafeDownCast(data))
       {
-        this->add_cells(cells, name, attributes.reversed);
+        this->add_cells(cells, block);
       }
       else
       {
@@ -201,7 +201,7 @@ private:
     }
   }
 
-  void add_cells(vtkUnstructuredGrid* cells, const std::string& name, bool reversed)
+  void add_cells(vtkUnstructuredGrid* cells, const std::string& block)
   {
     ConvertedModel converted = convert_bezier_cells(cells);
     for (const Problem& problem : converted.problems)
@@ -211,8 +211,8 @@ private:
     }
     for (Face& face : converted.model)
     {
-      face.name = name;
-      face.reversed = reversed != this->Flip;
+      face.name = face.name.empty() ? block : face.name;
+      face.reversed = face.reversed != this->Flip;
       this->Result.model.push_back(std::move(face));
     }
   }
@@ -242,14 +242,18 @@ bool ConvertedModel::empty() const
     this->model.begin(), this->model.end(), [](const Face& face) { return face.patches.empty(); });
 }
 
+std::string face_label(const Model& model, std::size_t face)
+{
+  const std::string& name = model[face].name;
+  return "Face " + std::to_string(face) + (name.empty() ? "" : " ('" + name + "')");
+}
+
 std::vector<std::string> ConvertedModel::messages() const
 {
   std::vector<std::string> result;
   for (const Problem& problem : this->problems)
   {
-    const std::string& name = this->model[problem.face].name;
-    result.push_back("Face " + std::to_string(problem.face) +
-      (name.empty() ? "" : " ('" + name + "')") + ": " + problem.message);
+    result.push_back(face_label(this->model, problem.face) + ": " + problem.message);
   }
   return result;
 }

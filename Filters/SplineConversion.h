@@ -7,6 +7,7 @@
 
 #include "footpoint/model/model.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ class vtkUnstructuredGrid;
 
 namespace footpoint::conversion
 {
+
+/// How messages name a face, such as "Face 3 ('wing')".
+std::string face_label(const Model& model, std::size_t face);
 
 /// Why a face was refused.
 struct Problem
@@ -53,9 +57,10 @@ struct FaceAttributes
   double tolerance = 0;  ///< `Tolerance` of its trim curves, model units
 };
 
-/// \throw GeometryError where `Orientation` is neither 1 nor −1, or `Tolerance` is negative or not
-/// finite
-FaceAttributes read_face_attributes(vtkFieldData* data);
+/// \param face where an array has several values, as those of Bézier cells, which one is the face's
+/// \throw GeometryError where `Orientation` is neither 1 nor −1, `Tolerance` is negative or not
+/// finite, or an array of several values has none for the face
+FaceAttributes read_face_attributes(vtkFieldData* data, std::size_t face = 0);
 
 /// A net of control points with its knots in the field data.
 /// \throw GeometryError
@@ -74,9 +79,16 @@ Face convert_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name);
 
 /// Bézier cells, grouped by the cell array `FaceId`; without it every cell is a face. The faces are
 /// numbered from 0 by the values of `FaceId`, numbers that do not occur are faces without patches.
-/// A face with a bad cell goes to `problems`.
+/// A face with a bad cell goes to `problems`. The field data `FaceName`, `Orientation` and
+/// `Tolerance` have one value for all faces or one for each.
 /// \throw GeometryError where nothing can be grouped (a bad `FaceId`)
 ConvertedModel convert_bezier_cells(vtkUnstructuredGrid* cells);
+
+/// Where control point (i, j) of a patch, i fastest, stands among the points of its
+/// VTK_BEZIER_QUADRILATERAL: corners, then edges, then the inside.
+std::vector<int> bezier_node_order(const std::array<int, 2>& degree);
+/// The same for a VTK_BEZIER_CURVE: both ends, then the inside.
+std::vector<int> bezier_node_order(int degree);
 
 /// Weights from the active RationalWeights attribute, else the point array of that name; empty
 /// where there is none. \throw GeometryError where they are no scalars.

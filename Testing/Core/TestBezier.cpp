@@ -144,6 +144,57 @@ TEST(Bezier, NeighboursShareTheirBorderBitForBit)
   }
 }
 
+TEST(Bezier, BordersAreSharedAtEveryMultiplicity)
+{
+  shapes::Random random(37);
+  for (int round = 0; round < 60; ++round)
+  {
+    const std::array<int, 2> degree{ { 1 + round % 9, 1 + (round / 3) % 11 } };
+    const auto arrays = shapes::random_arrays<2>(random, degree, 4, round % 2 == 0, 3.0);
+    const Surface surface = arrays.geometry();
+    const auto pieces = extract_bezier(surface);
+    const auto& u = surface.knots(0).distinct_knots();
+    const auto& v = surface.knots(1).distinct_knots();
+    const std::size_t row = u.size() - 1;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+    {
+      const int p = degree[0];
+      const int q = degree[1];
+      if (k % row + 1 < row && u[k % row + 1].multiplicity <= p)
+      {
+        for (int j = 0; j <= q; ++j)
+        {
+          EXPECT_EQ(pieces[k].control.col((p + 1) * j + p), pieces[k + 1].control.col((p + 1) * j));
+        }
+      }
+      if (k + row < pieces.size() && v[k / row + 1].multiplicity <= q)
+      {
+        EXPECT_EQ(
+          pieces[k].control.rightCols(p + 1), pieces[k + row].control.leftCols(p + 1));
+      }
+    }
+  }
+}
+
+TEST(Bezier, CurvePiecesShareTheirEndsBitForBit)
+{
+  shapes::Random random(38);
+  for (int degree = 1; degree <= 12; ++degree)
+  {
+    const auto arrays = shapes::random_arrays<1>(random, { degree }, 6, degree % 2 == 0, 3.0);
+    const Curve curve = arrays.geometry();
+    const auto pieces = extract_bezier(curve);
+    const auto& knots = curve.knots().distinct_knots();
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k)
+    {
+      if (knots[k + 1].multiplicity <= degree)
+      {
+        EXPECT_EQ(pieces[k].control.rightCols(1), pieces[k + 1].control.leftCols(1));
+      }
+    }
+  }
+}
+
 TEST(Bezier, ABezierNetIsItself)
 {
   shapes::Random random(34);

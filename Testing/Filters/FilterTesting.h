@@ -20,11 +20,13 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
+#include "vtkTestUtilities.h"
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -75,6 +77,14 @@ int Run(const Body& body)
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
+}
+
+/// Where tests may write: the folder of -T.
+inline std::string OutputFolder(int argc, char* argv[])
+{
+  const std::unique_ptr<char[]> folder(
+    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "FOOTPOINT_TEST_OUTPUT", "."));
+  return folder.get();
 }
 
 using Point = std::array<double, 3>;

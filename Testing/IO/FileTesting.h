@@ -12,22 +12,12 @@
 #include "vtkSplineReader.h"
 #include "vtkSplineWriter.h"
 #include "vtkStringArray.h"
-#include "vtkTestUtilities.h"
 
 #include <cstring>
 #include <fstream>
-#include <memory>
 
 namespace testing
 {
-
-/// Where tests may write: the folder of -T.
-inline std::string OutputFolder(int argc, char* argv[])
-{
-  const std::unique_ptr<char[]> folder(
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "FOOTPOINT_TEST_OUTPUT", "."));
-  return folder.get();
-}
 
 inline void WriteText(const std::string& path, const std::string& text)
 {

@@ -34,12 +34,14 @@ struct BezierSpan
 /// The operator for [a, b], a span or a part of one. \param span from KnotVector::find_span
 BezierSpan bezier_span(const KnotVector& knots, int span, double a, double b);
 
-/// The extraction operators of all spans (M. J. Borden et al. 2011), ascending.
+/// The extraction operators of all spans (M. J. Borden et al. 2011), ascending. Neighbours have the
+/// same border point bit for bit, except at a gap.
 std::vector<BezierSpan> bezier_spans(const KnotVector& knots);
 
 /// The pieces between all knot lines, first direction fastest. Exact up to rounding: each
 /// control point is the blossom of its piece (L. Ramshaw 1989; the result of inserting all knots to
-/// full multiplicity, W. Boehm 1980), so unclamped ends and gaps need no special care.
+/// full multiplicity, W. Boehm 1980), so unclamped ends and gaps need no special care. Neighbours
+/// share the control points on their border bit for bit, except at a gap.
 std::vector<BezierPiece<1>> extract_bezier(const Curve& curve);
 std::vector<BezierPiece<2>> extract_bezier(const Surface& surface);
 
