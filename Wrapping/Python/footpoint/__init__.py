@@ -10,6 +10,7 @@ In NumPy terms
     trimmed_face, model          geometry from parts: surface and trim loops, several faces
     invert                       points -> feet, parameters, distances, statistics
     evaluate                     parameters -> points, the inverse
+    bezier_cells                 geometry -> cells that VTK draws, which are geometry in turn
     coons_patch                  four boundary polylines -> structured grid
     coons_surface                four NURBS curves -> the Coons surface as a NURBS surface
     gordon_surface               network of NURBS curves -> NURBS surface through it
@@ -21,8 +22,8 @@ In NumPy terms
 
 In a VTK pipeline
 -----------------
-    vtkPointInversionFilter, vtkSplineEvaluator, vtkCoonsPatchSource, vtkCoonsSurface,
-    vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
+    vtkPointInversionFilter, vtkSplineEvaluator, vtkBezierExtraction, vtkCoonsPatchSource,
+    vtkCoonsSurface, vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
         the classes behind those functions
     vtkSplineReader, vtkSplineWriter, vtkCADReader
         files of splines; STEP, IGES and BREP files (where Open CASCADE is built in)
@@ -48,6 +49,7 @@ from .vtkFootpointFilters import *
 from .vtkFootpointIO import *
 from .geometry import model, nurbs_curve, nurbs_surface, trimmed_face
 from .inversion import Feet, FootType, InversionResult, Status, invert
+from .bezier import bezier_cells
 from .cad import CADParts, read_cad, read_cad_parts
 from .evaluation import evaluate
 from .files import read_splines, write_splines
