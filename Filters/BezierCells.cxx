@@ -85,8 +85,7 @@ Cell make_cell(
   for (Eigen::Index i = 0; i < piece.control.cols(); ++i)
   {
     const double weight = geometry.rational() ? piece.control(3, i) : 1.0;
-    const Vector3 position =
-      piece.control.template block<3, 1>(0, i) / weight + geometry.centre();
+    const Vector3 position = piece.control.template block<3, 1>(0, i) / weight + geometry.centre();
     cell.points.push_back({ { position[0], position[1], position[2], weight } });
   }
   return cell;
@@ -319,8 +318,8 @@ void add_pieces(const Curve& curve, CellCollector& cells)
   std::size_t span = 0;
   for (const BezierPiece<1>& piece : extract_bezier(curve))
   {
-    cells.add(make_cell(
-      piece, { { knots[span].parameter, knots[span + 1].parameter, 0.0, 0.0 } }, curve));
+    cells.add(
+      make_cell(piece, { { knots[span].parameter, knots[span + 1].parameter, 0.0, 0.0 } }, curve));
     ++span;
   }
 }
@@ -347,8 +346,7 @@ bool add_pieces(const Surface& surface, const Proceed& proceed, CellCollector& c
         const std::size_t i = number % (u.size() - 1);
         const std::size_t j = number / (u.size() - 1);
         cells.add(make_cell(piece,
-          { { u[i].parameter, u[i + 1].parameter, v[j].parameter, v[j + 1].parameter } },
-          surface));
+          { { u[i].parameter, u[i + 1].parameter, v[j].parameter, v[j + 1].parameter } }, surface));
       }
       ++number;
     });

@@ -114,8 +114,7 @@ FaceAttributes read_face_attributes(vtkFieldData* data, std::size_t face)
     if (orientations[at] != 1.0 && orientations[at] != -1.0)
     {
       refuse(GeometryDefect::Format,
-        "Orientation[" + std::to_string(at) +
-          "] = " + vtkVariant(orientations[at]).ToString() +
+        "Orientation[" + std::to_string(at) + "] = " + vtkVariant(orientations[at]).ToString() +
           "; 1 (along Su × Sv) or -1 (reversed) is allowed");
     }
     attributes.reversed = orientations[at] < 0.0;

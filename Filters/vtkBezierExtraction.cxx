@@ -176,17 +176,15 @@ int vtkBezierExtraction::RequestData(
     }
     else
     {
-      vtkWarningMacro("Bézier cells cannot be trimmed; the whole surfaces were extracted of: "
-        << names << ".");
+      vtkWarningMacro(
+        "Bézier cells cannot be trimmed; the whole surfaces were extracted of: " << names << ".");
     }
   }
   const std::vector<std::size_t> large = large_faces(model);
   if (!large.empty())
   {
-    vtkWarningMacro("Some filters of VTK have room for cells of " << VTK_CELL_SIZE
-                                                                  << " points only; cells of "
-                                                                  << list_faces(model, large)
-                                                                  << " have more.");
+    vtkWarningMacro("Some filters of VTK have room for cells of "
+      << VTK_CELL_SIZE << " points only; cells of " << list_faces(model, large) << " have more.");
   }
 
   // === Extract

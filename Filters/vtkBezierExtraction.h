@@ -31,12 +31,12 @@
  * different faces.
  *
  * Bézier cells cannot be trimmed: of a trimmed face the whole surface is extracted, with a warning
- * that names the face, or nothing (SetSkipTrimmedFaces()). A face that is refused is left out with a
- * warning; where no face is left that is an error. Cells of more than 512 points, as of degrees
+ * that names the face, or nothing (SetSkipTrimmedFaces()). A face that is refused is left out with
+ * a warning; where no face is left that is an error. Cells of more than 512 points, as of degrees
  * (22, 22), are made with a warning, as not all filters of VTK have room for them.
  *
- * ParaView draws these cells as exactly as its NonlinearSubdivisionLevel says; 1, the default, looks
- * faceted. VTK's own closest point on such cells is not exact; vtkPointInversionFilter's is.
+ * ParaView draws these cells as exactly as its NonlinearSubdivisionLevel says; 1, the default,
+ * looks faceted. VTK's own closest point on such cells is not exact; vtkPointInversionFilter's is.
  *
  * @sa
  * vtkPointInversionFilter

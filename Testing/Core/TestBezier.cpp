@@ -169,8 +169,7 @@ TEST(Bezier, BordersAreSharedAtEveryMultiplicity)
       }
       if (k + row < pieces.size() && v[k / row + 1].multiplicity <= q)
       {
-        EXPECT_EQ(
-          pieces[k].control.rightCols(p + 1), pieces[k + row].control.leftCols(p + 1));
+        EXPECT_EQ(pieces[k].control.rightCols(p + 1), pieces[k + row].control.leftCols(p + 1));
       }
     }
   }

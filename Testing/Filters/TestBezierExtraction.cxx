@@ -317,7 +317,8 @@ void TestModels()
     CHECK(CellValue(grid, "FaceId", static_cast<vtkIdType>(15 + i)) == faces[i]);
   }
   CHECK(CellValue(grid, "HigherOrderDegrees", 17) == 2);
-  CHECK(CellValue(grid, "ParameterRange", 17) == -2 && CellValue(grid, "ParameterRange", 17, 1) == 2);
+  CHECK(
+    CellValue(grid, "ParameterRange", 17) == -2 && CellValue(grid, "ParameterRange", 17, 1) == 2);
   auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("FaceName"));
   CHECK(names && names->GetNumberOfValues() == 4);
   CHECK(names->GetValue(0) == "ring" && names->GetValue(1).empty());
@@ -418,9 +419,9 @@ void TestTrimmedFaces()
   };
   vtkNew<vtkStructuredGrid> loop;
   loop->SetDimensions(4, 1, 1);
-  loop->SetPoints(
-    MakePoints({ { { 0.2, 0.2, 0 } }, { { 0.8, 0.2, 0 } }, { { 0.5, 0.7, 0 } }, { { 0.2, 0.2, 0 } } })
-      ->GetPoints());
+  loop->SetPoints(MakePoints(
+    { { { 0.2, 0.2, 0 } }, { { 0.8, 0.2, 0 } }, { { 0.5, 0.7, 0 } }, { { 0.2, 0.2, 0 } } })
+                    ->GetPoints());
   append(face, MakeSquare(), "Surface");
   append(face, loop, "Loop 0");
   Name(face->GetBlock(0), "gusset", 1, 0.0);
