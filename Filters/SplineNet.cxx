@@ -15,6 +15,44 @@
 namespace footpoint::conversion
 {
 
+namespace
+{
+
+template <class Geometry>
+void fill_points(const Geometry& geometry, vtkStructuredGrid* net)
+{
+  net->SetPoints(make_points(geometry.local_control_points().colwise() + geometry.centre()));
+  if (geometry.rational())
+  {
+    const Eigen::VectorXd& weights = geometry.weights();
+    set_numbers(net->GetPointData(), "RationalWeights",
+      std::vector<double>(weights.data(), weights.data() + weights.size()));
+    net->GetPointData()->SetActiveRationalWeights("RationalWeights");
+  }
+}
+
+} // namespace
+
+void fill_net(const Surface& surface, vtkStructuredGrid* net)
+{
+  const KnotVector& u = surface.knots(0);
+  const KnotVector& v = surface.knots(1);
+  net->SetDimensions(u.number_of_control_points(), v.number_of_control_points(), 1);
+  fill_points(surface, net);
+  set_numbers(net->GetFieldData(), "KnotsU", u.knots());
+  set_numbers(net->GetFieldData(), "KnotsV", v.knots());
+  set_integers(net->GetFieldData(), "Degree", std::vector<int>{ u.degree(), v.degree() });
+}
+
+void fill_net(const Curve& curve, vtkStructuredGrid* net)
+{
+  const KnotVector& u = curve.knots();
+  net->SetDimensions(u.number_of_control_points(), 1, 1);
+  fill_points(curve, net);
+  set_numbers(net->GetFieldData(), "KnotsU", u.knots());
+  set_integer(net->GetFieldData(), "Degree", u.degree());
+}
+
 Dimensions net_dimensions(const Surface* surface)
 {
   return surface ? Dimensions{ { surface->knots(0).number_of_control_points(),
@@ -33,21 +71,7 @@ vtkStructuredGrid* write_net(vtkAlgorithm* algorithm, const Surface* surface,
     return nullptr;
   }
   vtkStructuredGrid* net = vtkStructuredGrid::GetData(outputs);
-  net->SetDimensions(dimensions.data());
-  net->SetPoints(make_points(surface->local_control_points().colwise() + surface->centre()));
-  vtkFieldData* data = net->GetFieldData();
-  const KnotVector& u = surface->knots(0);
-  const KnotVector& v = surface->knots(1);
-  set_numbers(data, "KnotsU", u.knots());
-  set_numbers(data, "KnotsV", v.knots());
-  set_integers(data, "Degree", std::vector<int>{ u.degree(), v.degree() });
-  if (surface->rational())
-  {
-    const Eigen::VectorXd& weights = surface->weights();
-    set_numbers(net->GetPointData(), "RationalWeights",
-      std::vector<double>(weights.data(), weights.data() + weights.size()));
-    net->GetPointData()->SetActiveRationalWeights("RationalWeights");
-  }
+  fill_net(*surface, net);
   return net;
 }
 

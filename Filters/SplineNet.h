@@ -23,8 +23,12 @@ namespace footpoint::conversion
 /// Numbers of control points of a surface; zeros of none.
 Dimensions net_dimensions(const Surface* surface);
 
-/// Makes output 0 the control net of a surface: points, field data `KnotsU`, `KnotsV`, `Degree`,
-/// and active RationalWeights where it is rational. An error of the algorithm where there is no
+/// Makes a grid the control net of a surface, a curve: points, field data `KnotsU`, `KnotsV`,
+/// `Degree`, and active RationalWeights where it is rational. \param net empty before
+void fill_net(const Surface& surface, vtkStructuredGrid* net);
+void fill_net(const Curve& curve, vtkStructuredGrid* net);
+
+/// Makes output 0 the control net of a surface. An error of the algorithm where there is no
 /// surface or its net is not as large as was announced. \param surface may be null \param error why
 /// it is \return the net, null after an error
 vtkStructuredGrid* write_net(vtkAlgorithm* algorithm, const Surface* surface,

@@ -239,16 +239,19 @@ TEST(Shapes, HullIsWigleys)
   const double beam = 1.0;
   const double draft = 0.625;
   const Shape hull = footpoint::ship_hull(length, beam, draft, true);
-  for_points(hull[0].surface,
-    [&](double u, double v, const Vector3& p, const Vector3& normal)
-    {
-      EXPECT_NEAR(p[0], 0.5 * length * u, 1e-14);
-      EXPECT_NEAR(p[2], draft * (std::abs(v) - 1.0), 1e-15);
-      const double y =
-        0.5 * beam * (1.0 - std::pow(2.0 * p[0] / length, 2)) * (1.0 - std::pow(p[2] / draft, 2));
-      EXPECT_NEAR(p[1], v < 0.0 ? y : -y, 1e-15);
-      EXPECT_GE(v < 0.0 ? normal[1] : -normal[1], 0.0);
-    });
+  for (const int sign : { 1, -1 })
+  {
+    for_points(hull[sign > 0 ? 0 : 1].surface,
+      [&](double u, double v, const Vector3& p, const Vector3& normal)
+      {
+        EXPECT_NEAR(p[0], -sign * 0.5 * length * u, 1e-14);
+        EXPECT_NEAR(p[2], draft * v, 1e-15);
+        const double y =
+          0.5 * beam * (1.0 - std::pow(2.0 * p[0] / length, 2)) * (1.0 - std::pow(p[2] / draft, 2));
+        EXPECT_NEAR(p[1], sign * y, 1e-15);
+        EXPECT_GE(sign * normal[1], 0.0);
+      });
+  }
   EXPECT_NEAR(volume(hull), 4.0 / 9.0 * length * beam * draft, 1e-12);
 }
 
@@ -259,7 +262,7 @@ TEST(Shapes, WingHasTheSectionsOfTheReport)
     for (const bool blunt : { false, true })
     {
       footpoint::WingOptions options;
-      options.naca_digits = digits;
+      options.airfoil_digits = digits;
       options.blunt_trailing_edge = blunt;
       options.chord = 2.0;
       options.capping = true;
@@ -433,18 +436,19 @@ TEST(Shapes, BadDimensionsAreNamed)
   EXPECT_EQ(refusal([] { footpoint::ship_hull(1.0, HUGE_VAL, 1.0, false); }),
     "Beam = inf; a positive, finite length is needed");
   footpoint::WingOptions options;
-  for (const auto& [digits, words] : std::initializer_list<std::pair<const char*, const char*>>{
-         { "24x2", "NACADigits = '24x2'; four digits are needed, as 2412" },
-         { "24012", "NACADigits = '24012'; four digits are needed, as 2412" },
-         { "2400",
-           "NACADigits = '2400'; the last two, the thickness in % of the chord, must not be 00" },
-         { "2012",
-           "NACADigits = '2012'; with camber (the first) its place (the second) must not be 0" } })
+  for (const auto& [digits, words] :
+    std::initializer_list<std::pair<const char*, const char*>>{
+      { "24x2", "AirfoilDigits = '24x2'; four digits are needed, as 2412" },
+      { "24012", "AirfoilDigits = '24012'; four digits are needed, as 2412" },
+      { "2400",
+        "AirfoilDigits = '2400'; the last two, the thickness in % of the chord, must not be 00" },
+      { "2012",
+        "AirfoilDigits = '2012'; with camber (the first) its place (the second) must not be 0" } })
   {
-    options.naca_digits = digits;
+    options.airfoil_digits = digits;
     EXPECT_EQ(refusal([&] { footpoint::wing(options); }), words);
   }
-  options.naca_digits = "0012";
+  options.airfoil_digits = "0012";
   options.sweep_angle = 90.0;
   EXPECT_EQ(refusal([&] { footpoint::wing(options); }), "SweepAngle = 90; allowed is -80 to 80");
   options.sweep_angle = 0.0;

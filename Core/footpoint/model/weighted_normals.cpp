@@ -20,6 +20,20 @@ constexpr double kOnePlace = 1e-6;
 /// A sum of normals shorter than this tells no side.
 constexpr double kNoNormal = 1e-9;
 
+/// The angle by which one direction has to be turned to the left about a normal to become another.
+double angle_between(const Vector3& from, const Vector3& to, const Vector3& normal)
+{
+  const double angle = std::atan2(normal.dot(from.cross(to)), from.dot(to));
+  return angle < 0.0 ? angle + 2.0 * std::acos(-1.0) : angle;
+}
+
+/// The direction in which a seam leaves the side of the domain on which it ends.
+Vector3 seam_tangent(const Surface& surface, const Parameter<2>& at, int along)
+{
+  const Vector3 tangent = surface.jet(at, sides_at(surface, at), 1).first.col(along).normalized();
+  return at(along) > 0.5 * surface.direction(along).length ? Vector3(-tangent) : tangent;
+}
+
 } // namespace
 
 Vector3 FaceNeighbours::normal(std::size_t rim, double t) const
@@ -31,12 +45,12 @@ Vector3 FaceNeighbours::normal(std::size_t rim, double t) const
 }
 
 /// Between where one rim of a face arrives at a vertex, its end or a kink, and where another one or
-/// itself leaves: the angle through the face, which lies on the left of its rims, times the normal.
+/// itself leaves: the angle through the face, which lies on the left of its rims, times the normal;
+/// where a seam ends, on both sides of it.
 Vector3 FaceNeighbours::wedge(const Passage& arriving, const Passage& leaving) const
 {
   const EdgeCurve& in = *this->Rims[arriving.rim].curve;
   const EdgeCurve& out = *this->Rims[leaving.rim].curve;
-  const double pi = std::acos(-1.0);
   const Vector3 back = -unit_tangent(in, Parameter<1>(arriving.t), Sides<1>(Side::Left));
   const Vector3 forth = unit_tangent(out, Parameter<1>(leaving.t), Sides<1>(Side::Right));
   const Surface& surface = out.surface();
@@ -48,17 +62,25 @@ Vector3 FaceNeighbours::wedge(const Passage& arriving, const Passage& leaving) c
     const double way = to(i) - from(i);
     const int other = 1 - i;
     const int end = from(other) > 0.5 * surface.direction(other).length;
-    if (std::abs(way) <= kOnePlace * direction.length ||
-      !surface.direction(other).collapsed[end])
+    if (std::abs(way) <= kOnePlace * direction.length)
     {
       continue;
     }
-    return pole_fan(surface, from, i, way);
+    if (surface.direction(other).collapsed[end])
+    {
+      return pole_fan(surface, from, i, way);
+    }
+    if (direction.closed)
+    {
+      // The face may be bent along the seam, as a wing is at a sharp trailing edge.
+      const Vector3 before = this->normal(arriving.rim, arriving.t);
+      const Vector3 after = this->normal(leaving.rim, leaving.t);
+      return angle_between(forth, seam_tangent(surface, from, other), after) * after +
+        angle_between(seam_tangent(surface, to, other), back, before) * before;
+    }
   }
   const Vector3 normal = this->normal(leaving.rim, leaving.t);
-  double angle = std::atan2(normal.dot(forth.cross(back)), forth.dot(back));
-  angle += angle < 0.0 ? 2.0 * pi : 0.0;
-  return angle * normal;
+  return angle_between(forth, back, normal) * normal;
 }
 
 Vector3 FaceNeighbours::wedges(
@@ -113,8 +135,8 @@ Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
   return vertex ? vertex->pseudonormal : this->weighted_normals(this->meeting(point, face));
 }
 
-/// Adds where a rim arrives at the point and where it leaves it, at an end or a kink; false where it
-/// passes smoothly. What is no longer than the reach between two kinks is one of them.
+/// Adds where a rim arrives at the point and where it leaves it, at an end or a kink; false where
+/// it passes smoothly. What is no longer than the reach between two kinks is one of them.
 bool FaceNeighbours::add_ends(const Meeting& meeting, const Passage& passage,
   std::vector<Passage>& arriving, std::vector<Passage>& leaving) const
 {
@@ -129,9 +151,8 @@ bool FaceNeighbours::add_ends(const Meeting& meeting, const Passage& passage,
   { return is_at(a.at) && is_at(0.5 * a.at + 0.5 * b.at) && is_at(b.at); };
   const std::size_t last = breaks.size() - 1;
   const std::size_t above = std::min(last,
-    static_cast<std::size_t>(
-      std::lower_bound(breaks.begin(), breaks.end(), passage.t,
-        [](const Break& one, double t) { return one.at < t; }) -
+    static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), passage.t,
+                               [](const Break& one, double t) { return one.at < t; }) -
       breaks.begin()));
   std::size_t done = 0; // breaks before this one have been looked at
   bool found = false;

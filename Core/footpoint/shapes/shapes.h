@@ -56,7 +56,8 @@ Shape cone(double radius, double height, bool capping);
 /// NACA Report 460, 1933).
 struct WingOptions
 {
-  std::string naca_digits = "2412"; ///< four digits: camber in %, its place in 10 %, thickness in %
+  std::string airfoil_digits =
+    "2412";                         ///< four digits: camber in %, its place in 10 %, thickness in %
   double chord = 1.0;               ///< at the root
   double span = 6.0;                ///< from tip to tip, along y
   double taper_ratio = 0.5;         ///< chord at the tips / chord at the root
@@ -74,8 +75,8 @@ struct WingOptions
 Shape wing(const WingOptions& options);
 
 /// The hull of W. C. S. Wigley (1934), y = ±beam/2 (1 − (2x/length)²)(1 − (z/draft)²) for
-/// −draft ≤ z ≤ 0, as one polynomial surface of degree 2 on [−1, 1]²: x = length/2 · u,
-/// z = draft (|v| − 1), port (y > 0) at v < 0, starboard at v > 0, keel (a kink) at v = 0.
+/// −draft ≤ z ≤ 0, as two polynomial surfaces of degree 2 on [−1, 1] × [−1, 0], "Port" (y ≥ 0) and
+/// "Starboard": v = z / draft, u = ∓2x / length.
 /// \param capping adds the face "Deck", z = 0
 Shape ship_hull(double length, double beam, double draft, bool capping);
 

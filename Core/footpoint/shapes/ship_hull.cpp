@@ -14,20 +14,25 @@ Shape ship_hull(double length, double beam, double draft, bool capping)
   check_length("Draft", draft);
   const std::array<double, 3> x{ { -0.5 * length, 0.0, 0.5 * length } };
   const std::array<double, 3> waterline{ { 0.0, beam, 0.0 } };
-  const std::array<double, 5> fullness{ { 1.0, 1.0, 0.0, -1.0, -1.0 } }; // port to starboard
-  const std::array<double, 5> z{ { 0.0, -0.5 * draft, -draft, -0.5 * draft, 0.0 } };
   const KnotVector knots_u(2, { -1, -1, -1, 1, 1, 1 }, "KnotsU");
+  const KnotVector knots_v(2, { -1, -1, -1, 0, 0, 0 }, "KnotsV"); // v = z / draft
 
-  Points hull(3, 15);
-  for (int j = 0; j < 5; ++j)
+  const auto side = [&](int sign)
   {
-    for (int i = 0; i < 3; ++i)
+    const std::array<double, 3> fullness{ { 0.0, 1.0, 1.0 } };
+    Points points(3, 9);
+    for (int j = 0; j < 3; ++j)
     {
-      hull.col(3 * j + i) << x[i], waterline[i] * fullness[j], z[j];
+      for (int i = 0; i < 3; ++i)
+      {
+        // S_u × S_v points to −y where x grows along u: to port it falls.
+        points.col(3 * j + i) << -sign * x[i], sign * waterline[i] * fullness[j],
+          0.5 * draft * (j - 2);
+      }
     }
-  }
-  Shape shape{ { "Hull",
-    Surface(knots_u, KnotVector(2, { -1, -1, -1, 0, 0, 1, 1, 1 }, "KnotsV"), hull) } };
+    return Surface(knots_u, knots_v, points);
+  };
+  Shape shape{ { "Port", side(1) }, { "Starboard", side(-1) } };
   if (capping)
   {
     Points deck(3, 6);

@@ -29,7 +29,7 @@ struct Section
 Section read_digits(const std::string& digits)
 {
   const auto refuse = [&](const char* reason)
-  { throw ShapeError("NACADigits = '" + digits + "'; " + reason); };
+  { throw ShapeError("AirfoilDigits = '" + digits + "'; " + reason); };
   if (digits.size() != 4 || digits.find_first_not_of("0123456789") != std::string::npos)
   {
     refuse("four digits are needed, as 2412");
@@ -225,7 +225,7 @@ private:
 
 Shape wing(const WingOptions& options)
 {
-  const Section section = read_digits(options.naca_digits);
+  const Section section = read_digits(options.airfoil_digits);
   check_length("Chord", options.chord);
   check_length("Span", options.span);
   check_range("TaperRatio", options.taper_ratio, 0.01, 100.0);
