@@ -7,6 +7,7 @@ parameters. Nothing is tessellated: distances and parameters are those of the ex
 In NumPy terms
 --------------
     nurbs_surface, nurbs_curve   control points, knots and weights -> geometry
+    nurbs_shape                  sphere, torus, wing, hull, teapot, ... by name -> geometry
     trimmed_face, model          geometry from parts: surface and trim loops, several faces
     invert                       points -> feet, parameters, distances, statistics
     evaluate                     parameters -> points, the inverse
@@ -22,8 +23,9 @@ In NumPy terms
 
 In a VTK pipeline
 -----------------
-    vtkPointInversionFilter, vtkSplineEvaluator, vtkBezierExtraction, vtkCoonsPatchSource,
-    vtkCoonsSurface, vtkGordonSurface, vtkTransfiniteVolume, vtkStructuredGridSmoother
+    vtkPointInversionFilter, vtkSplineEvaluator, vtkBezierExtraction, vtkNURBSShapeSource,
+    vtkCoonsPatchSource, vtkCoonsSurface, vtkGordonSurface, vtkTransfiniteVolume,
+    vtkStructuredGridSmoother
         the classes behind those functions
     vtkSplineReader, vtkSplineWriter, vtkCADReader
         files of splines; STEP, IGES and BREP files (where Open CASCADE is built in)
@@ -60,4 +62,5 @@ from .grids import (
     smooth_grid,
     transfinite_volume,
 )
+from .shapes import nurbs_shape
 from ._version import __version__
