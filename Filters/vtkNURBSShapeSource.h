@@ -213,7 +213,7 @@ public:
 
   ///@{
   /**
-   * Depth of the hull. Default: 0.625.
+   * Depth of the hull below its deck. Default: 0.625.
    */
   vtkSetMacro(Draft, double);
   vtkGetMacro(Draft, double);
