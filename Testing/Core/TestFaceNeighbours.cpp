@@ -5,6 +5,8 @@
 #include "Inversion.h"
 #include "TrimShapes.h"
 
+#include "footpoint/shapes/shapes.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -57,8 +59,8 @@ Face triangle(const Vector3& a, const Vector3& b, const Vector3& c, Loops loops,
   return face;
 }
 
-/// Distances from slender and flat tetrahedra are negative inside alone: where three faces meet at a
-/// sharp corner their normals have to be weighted by the angles.
+/// Distances from slender and flat tetrahedra are negative inside alone: where three faces meet at
+/// a sharp corner their normals have to be weighted by the angles.
 void expect_signs(Loops loops)
 {
   shapes::Random random(5);
@@ -87,8 +89,7 @@ void expect_signs(Loops loops)
     Model model;
     for (const auto& face : faces)
     {
-      model.push_back(
-        triangle(corner[face[0]], corner[face[1]], corner[face[2]], loops, k % 3));
+      model.push_back(triangle(corner[face[0]], corner[face[1]], corner[face[2]], loops, k % 3));
     }
     const PointInverter inverter(model);
     EXPECT_EQ(inverter.number_of_open_edges(), 0);
@@ -99,8 +100,7 @@ void expect_signs(Loops loops)
       for (const auto& face : faces)
       {
         const Vector3& a = corner[face[0]];
-        const Vector3 normal =
-          (corner[face[1]] - a).cross(corner[face[2]] - a).normalized();
+        const Vector3 normal = (corner[face[1]] - a).cross(corner[face[2]] - a).normalized();
         above = std::max(above, normal.dot(query - a));
       }
       const Foot foot = inverter.find(query);
@@ -136,10 +136,40 @@ TEST(FaceNeighbours, APolylineIsOpenWhereOneOfItsSegmentsIs)
   // Two triangles share the side from a to b: of three sides of each two are open.
   for (int first = 0; first < 3; ++first)
   {
-    const PointInverter inverter({ triangle(a, b, c, Loops::Polyline, first),
-      triangle(b, a, d, Loops::Polyline, 0) });
+    const PointInverter inverter(
+      { triangle(a, b, c, Loops::Polyline, first), triangle(b, a, d, Loops::Polyline, 0) });
     EXPECT_EQ(inverter.number_of_open_edges(), 2);
   }
+}
+
+/// A wing with a sharp trailing edge is bent along the seam of its surface. Behind the end of the
+/// edge, where the tip's face begins, everything is outside.
+TEST(FaceNeighbours, SeamsOfBentFacesEndAtVertices)
+{
+  footpoint::WingOptions options;
+  options.capping = true;
+  Model model;
+  for (const footpoint::NamedSurface& face : footpoint::wing(options))
+  {
+    model.push_back(face_of(face.surface));
+  }
+  const PointInverter inverter(model);
+  const double half_span = 0.5 * options.span;
+  const double back = half_span * std::tan(options.sweep_angle * std::acos(-1.0) / 180.0) +
+    options.chord * options.taper_ratio;
+  shapes::Random random(5);
+  int at_the_corner = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const int side = i % 2 == 0 ? 1 : -1;
+    const Vector3 corner(back, side * half_span, 0.0);
+    const Vector3 off(
+      random.uniform(0.01, 0.5), side * random.uniform(-0.03, 0.2), random.uniform(-0.1, 0.1));
+    const Foot foot = inverter.find(corner + off);
+    at_the_corner += (foot.point - corner).norm() < 1e-9;
+    EXPECT_GT(foot.signed_distance, 0.0) << off.transpose();
+  }
+  EXPECT_GT(at_the_corner, 50);
 }
 
 } // namespace

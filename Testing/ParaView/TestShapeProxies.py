@@ -23,6 +23,8 @@ class Proxies(unittest.TestCase):
 
     def test_defaults(self):
         for name, algorithm_class in PROXIES.items():
+            # The active source, a shape, becomes the input of the extraction.
+            simple.SetActiveSource(simple.NURBSShapeSource())
             proxy = getattr(simple, name)()
             algorithm = algorithm_class()
             for option in option_names(algorithm_class).values():
@@ -69,13 +71,9 @@ class Proxies(unittest.TestCase):
                 found = data.GetPointData().GetArray("SignedDistance").GetValue(i)
                 self.assertAlmostEqual(found, expected, places=12)
 
-    def test_display(self):
-        """Bézier cells are drawn round: the surface filter of representations knows them."""
+    def test_subdivision(self):
+        """The surface filter, which representations use too, puts its points on the sphere."""
         cells = simple.BezierExtraction(Input=simple.NURBSShapeSource())
-        view = simple.CreateRenderView()
-        display = simple.Show(cells, view)
-        display.NonlinearSubdivisionLevel = 4
-        simple.Render(view)
         drawn = simple.ExtractSurface(Input=cells, NonlinearSubdivisionLevel=4)
         drawn.UpdatePipeline()
         surface = servermanager.Fetch(drawn)
@@ -83,6 +81,19 @@ class Proxies(unittest.TestCase):
         for i in range(surface.GetNumberOfPoints()):
             radius = sum(x * x for x in surface.GetPoint(i)) ** 0.5
             self.assertAlmostEqual(radius, 1.0, places=6)
+
+    def test_display_of_changing_kinds(self):
+        """A shape that is shown may become a model, and a single net again."""
+        view = simple.CreateRenderView()
+        self.addCleanup(simple.Delete, view)  # its window, before the X connection closes
+        shape = simple.NURBSShapeSource()
+        cells = simple.BezierExtraction(Input=shape)
+        for source in (shape, cells):
+            simple.Show(source, view)
+        for name, bounds in (("Sphere", 1.0), ("Teapot", 3.15), ("Helix", 1.0), ("Torus", 0.3)):
+            shape.Shape = name
+            simple.Render(view)
+            self.assertAlmostEqual(cells.GetDataInformation().GetBounds()[5], bounds, msg=name)
 
 
 if __name__ == "__main__":
