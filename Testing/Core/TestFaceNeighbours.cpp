@@ -59,8 +59,8 @@ Face triangle(const Vector3& a, const Vector3& b, const Vector3& c, Loops loops,
   return face;
 }
 
-/// Distances from slender and flat tetrahedra are negative inside alone: where three faces meet at
-/// a sharp corner their normals have to be weighted by the angles.
+/// Distances from slender and flat tetrahedra are negative inside alone: where three faces meet at a
+/// sharp corner their normals have to be weighted by the angles.
 void expect_signs(Loops loops)
 {
   shapes::Random random(5);
@@ -89,7 +89,8 @@ void expect_signs(Loops loops)
     Model model;
     for (const auto& face : faces)
     {
-      model.push_back(triangle(corner[face[0]], corner[face[1]], corner[face[2]], loops, k % 3));
+      model.push_back(
+        triangle(corner[face[0]], corner[face[1]], corner[face[2]], loops, k % 3));
     }
     const PointInverter inverter(model);
     EXPECT_EQ(inverter.number_of_open_edges(), 0);
@@ -100,7 +101,8 @@ void expect_signs(Loops loops)
       for (const auto& face : faces)
       {
         const Vector3& a = corner[face[0]];
-        const Vector3 normal = (corner[face[1]] - a).cross(corner[face[2]] - a).normalized();
+        const Vector3 normal =
+          (corner[face[1]] - a).cross(corner[face[2]] - a).normalized();
         above = std::max(above, normal.dot(query - a));
       }
       const Foot foot = inverter.find(query);
@@ -136,8 +138,8 @@ TEST(FaceNeighbours, APolylineIsOpenWhereOneOfItsSegmentsIs)
   // Two triangles share the side from a to b: of three sides of each two are open.
   for (int first = 0; first < 3; ++first)
   {
-    const PointInverter inverter(
-      { triangle(a, b, c, Loops::Polyline, first), triangle(b, a, d, Loops::Polyline, 0) });
+    const PointInverter inverter({ triangle(a, b, c, Loops::Polyline, first),
+      triangle(b, a, d, Loops::Polyline, 0) });
     EXPECT_EQ(inverter.number_of_open_edges(), 2);
   }
 }

@@ -12,19 +12,6 @@ namespace
 
 using Homogeneous = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// Makes the first Bézier point of a span the last one of the span before it, of which it differs
-/// by rounding alone. Nothing to do at a gap.
-void share_border(const BezierSpan& before, BezierSpan& span)
-{
-  const auto p = span.matrix.rows() - 1;
-  const auto shift = span.first - before.first; // the knot's multiplicity
-  if (shift <= p)
-  {
-    span.matrix.col(0).setZero();
-    span.matrix.col(0).head(p + 1 - shift) = before.matrix.col(p).tail(p + 1 - shift);
-  }
-}
-
 } // namespace
 
 // Bézier point j of the piece [a, b] is the blossom with degree − j arguments a and j arguments b
@@ -54,10 +41,6 @@ std::vector<BezierSpan> bezier_spans(const KnotVector& knots)
   {
     const int span = knots.find_span(distinct[i].at, Side::Right);
     pieces.push_back(bezier_span(knots, span, distinct[i].at, distinct[i + 1].at));
-    if (i > 0)
-    {
-      share_border(pieces[i - 1], pieces[i]);
-    }
   }
   return pieces;
 }
@@ -70,7 +53,7 @@ std::vector<BezierPiece<1>> extract_bezier(const Curve& curve)
   for (const BezierSpan& u : bezier_spans(curve.knots()))
   {
     pieces.push_back({ { { p } }, Parameter<1>(u.lower), Parameter<1>(u.upper),
-      net.middleCols(u.first, p + 1).lazyProduct(u.matrix) });
+      net.middleCols(u.first, p + 1) * u.matrix });
   }
   return pieces;
 }
@@ -99,10 +82,7 @@ void SurfacePieces::extract_row(const BezierSpan& v, Homogeneous& row) const
   // Column j of these views is line j of the net and of the row.
   const Eigen::Map<const Eigen::MatrixXd> acting(
     this->Net.col(v.first * this->Length).data(), 4 * this->Length, lines);
-  // Coefficient by coefficient: sums in the order of the lines, so that border rows of neighbours,
-  // which differ in where their operators have zeros, are the same bits.
-  Eigen::Map<Eigen::MatrixXd>(row.data(), 4 * this->Length, lines).noalias() =
-    acting.lazyProduct(v.matrix);
+  Eigen::Map<Eigen::MatrixXd>(row.data(), 4 * this->Length, lines).noalias() = acting * v.matrix;
 }
 
 void SurfacePieces::extract_piece(
