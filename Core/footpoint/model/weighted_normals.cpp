@@ -27,11 +27,12 @@ double angle_between(const Vector3& from, const Vector3& to, const Vector3& norm
   return angle < 0.0 ? angle + 2.0 * std::acos(-1.0) : angle;
 }
 
-/// The direction in which a seam leaves the side of the domain on which it ends.
-Vector3 seam_tangent(const Surface& surface, const Parameter<2>& at, int along)
+/// The direction of a seam on the left of a rim that ends there or begins.
+Vector3 seam_tangent(const Surface& surface, const Parameter<2>& at, int along, const Vector3& rim,
+  const Vector3& normal)
 {
   const Vector3 tangent = surface.jet(at, sides_at(surface, at), 1).first.col(along).normalized();
-  return at(along) > 0.5 * surface.direction(along).length ? Vector3(-tangent) : tangent;
+  return normal.dot(rim.cross(tangent)) < 0.0 ? Vector3(-tangent) : tangent;
 }
 
 } // namespace
@@ -70,13 +71,15 @@ Vector3 FaceNeighbours::wedge(const Passage& arriving, const Passage& leaving) c
     {
       return pole_fan(surface, from, i, way);
     }
-    if (direction.closed)
+    if (direction.closed && std::abs(way) >= (1.0 - kOnePlace) * direction.length)
     {
       // The face may be bent along the seam, as a wing is at a sharp trailing edge.
       const Vector3 before = this->normal(arriving.rim, arriving.t);
       const Vector3 after = this->normal(leaving.rim, leaving.t);
-      return angle_between(forth, seam_tangent(surface, from, other), after) * after +
-        angle_between(seam_tangent(surface, to, other), back, before) * before;
+      const Vector3 seam_after = seam_tangent(surface, from, other, forth, after);
+      const Vector3 seam_before = seam_tangent(surface, to, other, -back, before);
+      return angle_between(forth, seam_after, after) * after +
+        angle_between(seam_before, back, before) * before;
     }
   }
   const Vector3 normal = this->normal(leaving.rim, leaving.t);
@@ -135,8 +138,8 @@ Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
   return vertex ? vertex->pseudonormal : this->weighted_normals(this->meeting(point, face));
 }
 
-/// Adds where a rim arrives at the point and where it leaves it, at an end or a kink; false where
-/// it passes smoothly. What is no longer than the reach between two kinks is one of them.
+/// Adds where a rim arrives at the point and where it leaves it, at an end or a kink; false where it
+/// passes smoothly. What is no longer than the reach between two kinks is one of them.
 bool FaceNeighbours::add_ends(const Meeting& meeting, const Passage& passage,
   std::vector<Passage>& arriving, std::vector<Passage>& leaving) const
 {
@@ -151,8 +154,9 @@ bool FaceNeighbours::add_ends(const Meeting& meeting, const Passage& passage,
   { return is_at(a.at) && is_at(0.5 * a.at + 0.5 * b.at) && is_at(b.at); };
   const std::size_t last = breaks.size() - 1;
   const std::size_t above = std::min(last,
-    static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), passage.t,
-                               [](const Break& one, double t) { return one.at < t; }) -
+    static_cast<std::size_t>(
+      std::lower_bound(breaks.begin(), breaks.end(), passage.t,
+        [](const Break& one, double t) { return one.at < t; }) -
       breaks.begin()));
   std::size_t done = 0; // breaks before this one have been looked at
   bool found = false;
