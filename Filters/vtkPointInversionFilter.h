@@ -25,8 +25,9 @@
  *   keep their inside, clockwise ones are holes. Gaps in a loop are closed up to the field data
  *   `Tolerance` of the surface (model units);
  * - a composite data set of those: a model whose faces are numbered from 0 in order; an empty
- *   block uses up its number. The field data `FaceName` and `Orientation` (−1: reversed) of a
- *   leaf belong to its face.
+ *   block uses up its number. The field data `FaceName`, `Orientation` (−1: reversed) and
+ *   `Tolerance` of a leaf belong to its face; those of Bézier cells have one value for all faces or
+ *   one for each.
  *
  * **Output port 0**: the input with the point arrays below, of the same type and structure.
  * An existing array of one of these names is replaced. Every block gets the same arrays.
