@@ -119,3 +119,30 @@ TEST(CertifiedSearch, NothingWithinTheMaximumDistance)
     EXPECT_NEAR(foot.distance, expected.distance, 1e-14 * all.size());
   }
 }
+
+/// Boxes of single precision are infinite beyond 3.4e38, and squares below 1e-308 are nothing.
+TEST(CertifiedSearch, HugeAndTinySizes)
+{
+  for (const Surface& surface : { shapes::bumpy(12, 3, 0.3), shapes::cylinder() })
+  {
+    const Points points = queries_about(surface, 18);
+    const Points net = surface.local_control_points().colwise() + surface.centre();
+    const footpoint::InversionResult right =
+      footpoint::invert(PointInverter(model_of(surface)), points);
+    for (const double scale :
+      { 1e-150, 1e-100, 1e-20, 1e30, 1e38, 1e39, 1e100, 1e140, 1e150 })
+    {
+      SCOPED_TRACE(scale);
+      const Surface scaled(
+        surface.knots(0), surface.knots(1), scale * net, surface.weights());
+      const footpoint::InversionResult result =
+        footpoint::invert(PointInverter(model_of(scaled)), scale * points);
+      for (int k = 0; k < points.cols(); ++k)
+      {
+        EXPECT_EQ(result.feet[k].status, Status::Certified);
+        EXPECT_NEAR(result.feet[k].distance / scale, right.feet[k].distance,
+          1e-12 * std::max(surface.size(), right.feet[k].distance));
+      }
+    }
+  }
+}

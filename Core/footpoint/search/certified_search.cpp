@@ -464,9 +464,10 @@ void Finder::begin()
       least = hn::Min(least, value);
     }
     const double value = hn::GetLane(hn::MinOfLanes(tag, least));
-    // The first child where rounding to nothing comparable leaves no bit set.
-    const std::uint64_t bits = at_most(score, BoxTree::kWidth, value) | 0x80;
-    visit.followed = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+    // The first child, which there always is, where numbers beyond all bounds leave no bit set.
+    const std::uint64_t bits = at_most(score, BoxTree::kWidth, value);
+    visit.followed =
+      bits != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)) : 0;
     child = node.child[visit.followed];
   } while (child >= 0);
 
