@@ -108,6 +108,17 @@ public:
     return best;
   }
 
+  /// Whether anything is kept at a point, or about it at 1e-13 to 1e-5 of the domain.
+  bool keeps_about(const Place& at) const
+  {
+    bool kept = this->Loops->keeps(at);
+    for (Real away = kBeside; away < 2e-5L && !kept; away *= 10)
+    {
+      kept = this->is_kept_beside(at, away);
+    }
+    return kept;
+  }
+
   /// The nearest point that is found.
   Found nearest(const Eigen::Vector3d& query) const
   {
@@ -261,13 +272,14 @@ private:
 
   /// Whether anything is kept about a point, on a loop or between two: not where loops overlap or
   /// leave each other, or run back on themselves up to a rounding.
-  bool is_kept_beside(const Place& at) const
+  bool is_kept_beside(const Place& at, Real away = kBeside) const
   {
     for (int k = 0; k < kLooks; ++k)
     {
-      const Real angle = 2.0L * std::acos(-1.0L) * k / kLooks;
-      const Place there{ { at[0] + kBeside * std::cos(angle) * this->Width[0],
-        at[1] + kBeside * std::sin(angle) * this->Width[1] } };
+      // Not along u or v, on lines that are run through there and back.
+      const Real angle = 2.0L * std::acos(-1.0L) * (k + 0.37L) / kLooks;
+      const Place there{ { at[0] + away * std::cos(angle) * this->Width[0],
+        at[1] + away * std::sin(angle) * this->Width[1] } };
       bool inside = true;
       for (int i = 0; i < 2; ++i)
       {

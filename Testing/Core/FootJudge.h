@@ -157,6 +157,7 @@ struct Tally
 {
   std::uint64_t queries = 0;
   std::uint64_t too_far = 0;   ///< the oracle has a point that is nearer
+  std::uint64_t too_near = 0;  ///< nothing is kept about the foot, and the oracle's is farther
   std::uint64_t misplaced = 0; ///< the point is not that of the parameters
   std::uint64_t outside = 0;   ///< the parameters are not kept
   std::uint64_t uncertified = 0;
@@ -167,14 +168,14 @@ struct Tally
   double oracle_seconds = 0.0;
   double slowest = 0.0; ///< query, in seconds
 
-  std::uint64_t wrong() const { return this->too_far + this->misplaced + this->outside; }
+  std::uint64_t wrong() const { return this->too_far + this->too_near + this->misplaced + this->outside; }
 };
 
 inline std::ostream& operator<<(std::ostream& stream, const Tally& tally)
 {
   const double count = static_cast<double>(std::max<std::uint64_t>(tally.queries, 1));
   return stream << tally.queries << " queries, " << tally.wrong() << " wrong (" << tally.too_far
-                << " too far, " << tally.misplaced << " misplaced, " << tally.outside
+                << " too far, " << tally.too_near << " too near, " << tally.misplaced << " misplaced, " << tally.outside
                 << " trimmed away), " << tally.uncertified << " not certified ("
                 << tally.unproved_too_far << " of them too far), largest excess " << tally.excess
                 << "; " << 1e6 * tally.search_seconds / count << " us a query (slowest "
@@ -250,6 +251,11 @@ public:
       tally.unproved_too_far += !certified;
       this->report("too far", what, point, foot, nearest, excess / size);
     }
+    else if (certified && excess < -allowed && this->is_nowhere(foot))
+    {
+      ++tally.too_near;
+      this->report("too near", what, point, foot, nearest, excess / size);
+    }
     else if (!certified)
     {
       this->report("not certified, excess", what, point, foot, nearest, excess / size);
@@ -268,6 +274,14 @@ private:
         dynamic_cast<const footpoint::Surface&>(*face.patches.front().surface), face.loops);
     }
     return result;
+  }
+
+  /// Whether nothing is kept about a foot.
+  bool is_nowhere(const Foot& foot) const
+  {
+    return foot.face >= 0 &&
+      !this->Oracle.faces()[static_cast<std::size_t>(foot.face)].keeps_about(
+        { { foot.parameter(0), foot.parameter(1) } });
   }
 
   void check_place(const Vector3& point, const char* what, const Foot& foot,

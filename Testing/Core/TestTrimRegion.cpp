@@ -171,7 +171,10 @@ TEST(TrimRegion, DegenerateAndTouchingLoops)
   {
     const TrimRegion region(loops, surface, 0.0);
     check_arcs(region, loops, surface);
-    EXPECT_EQ(region.arcs().size(), 4u * loops.size());
+    const std::size_t cuts = loops.size() == 2 && loops[1].curves.size() == 4u
+      ? 2u // of the first loop, at the corners of the second one on its sides
+      : 0u;
+    EXPECT_EQ(region.arcs().size(), 4u * loops.size() + cuts);
     EXPECT_TRUE(region.contains(0.3, 0.3));
     EXPECT_TRUE(region.contains(0.7, 0.7));
     EXPECT_FALSE(region.contains(0.1, 0.2));

@@ -49,6 +49,7 @@ struct PointInverter::Implementation
     const std::function<void(const Candidate&)>& found) const;
   std::vector<Candidate> nearest(const Vector3& point, const Start& start, Sought sought) const;
   bool certifies() const;
+  bool is_known(std::size_t patch) const;
   Foot nearest_certified(const Vector3& point, PointInverter::Workspace::Memory& memory) const;
   void add_uncertified(
     const Vector3& point, bool on_splines, std::vector<Candidate>& feet) const;

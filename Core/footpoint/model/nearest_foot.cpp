@@ -165,6 +165,14 @@ bool PointInverter::Implementation::certifies() const
     !this->wants_lines();
 }
 
+/// Whether feet on a patch are points of its face for certain: not on edges where loops meet in a way
+/// that does not tell what is kept.
+bool PointInverter::Implementation::is_known(std::size_t patch) const
+{
+  const EdgeCurve* edge = this->Patches[patch].edge;
+  return !edge || edge->decided();
+}
+
 /// The nearest point, with a certificate where the model is made of splines only.
 Foot PointInverter::Implementation::nearest_certified(
   const Vector3& point, PointInverter::Workspace::Memory& memory) const
@@ -174,10 +182,11 @@ Foot PointInverter::Implementation::nearest_certified(
   certified.find(point, this->Options.maximum_distance, this->Options.certificate_tolerance,
     memory.search, answer);
   Foot foot;
-  foot.status = answer.certified ? Status::Certified : Status::Converged;
   if (answer.count == 1 && answer.certified && certified.complete() &&
     certified.plain_foot(answer.feet[0], foot))
   {
+    foot.status = this->is_known(certified.member(answer.feet[0])) ? Status::Certified
+                                                                    : Status::Converged;
     this->settle_sign(foot, point);
     return foot;
   }
@@ -221,7 +230,8 @@ Foot PointInverter::Implementation::nearest_certified(
   }
   this->put_best_first(feet);
   foot = this->finish(point, feet.front(), feet);
-  foot.status = is_certified ? Status::Certified : foot.status;
+  const bool is_of_face = this->is_known(feet.front().patch);
+  foot.status = is_certified && is_of_face ? Status::Certified : foot.status;
   return foot;
 }
 
@@ -237,7 +247,8 @@ void PointInverter::Implementation::add_uncertified(
   const PatchQuery query = this->query(point, Sought::Minimum);
   const auto found = [&](std::size_t k, const PatchFoot& foot)
   {
-    if (this->counts(query, { k, foot }) && foot.distance <= limit() && foot.distance <= this->Options.maximum_distance)
+    if (this->counts(query, { k, foot }) && foot.distance <= limit() &&
+      foot.distance <= this->Options.maximum_distance)
     {
       best = std::min(best, foot.distance);
       feet.push_back({ k, foot });

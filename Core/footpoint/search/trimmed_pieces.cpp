@@ -97,7 +97,7 @@ Pair kept_point(const TrimRegion& region, const Pair& lower, const Pair& upper)
     const Pair at = middle_of(arc);
     const bool inside = at[0] >= lower[0] && at[0] <= upper[0] && at[1] >= lower[1] &&
       at[1] <= upper[1];
-    best = inside && arc.inside_domain ? at : best;
+    best = inside && arc.inside_domain && arc.bounds == ArcBounds::Face ? at : best;
   }
   return best;
 }

@@ -329,8 +329,10 @@ std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
   for (const TrimArc& arc : region.arcs())
   {
     const bool continues = !run.empty() && arc.loop == run.back().loop &&
-      arc.curve == run.back().curve && arc.closes_gap == run.back().closes_gap;
-    const bool wanted = arc.inside_domain && is_wanted(*surface, region, arc, which);
+      arc.curve == run.back().curve && arc.closes_gap == run.back().closes_gap &&
+      arc.bounds == run.back().bounds;
+    const bool wanted = arc.inside_domain && is_edge(arc.bounds) &&
+      is_wanted(*surface, region, arc, which);
     if (!wanted || !continues)
     {
       finish();

@@ -31,6 +31,8 @@ public:
   const Surface& surface() const { return *this->Base; }
   /// As given, but that control points which are outside by a rounding lie on the border.
   const std::vector<TrimArc>& arcs() const { return this->Arcs; }
+  /// Whether it is an edge for certain: all of its arcs bound the face, or all may.
+  bool decided() const { return this->Arcs.front().bounds == ArcBounds::Face; }
   /// Where each arc lies between the knot lines of the surface.
   const std::vector<ArcCell>& cells() const { return this->Cells; }
 
@@ -73,7 +75,7 @@ enum class EdgeArcs
 };
 
 /// The edges of a face: one for each run of arcs of one loop curve (or closed gap) in the domain.
-/// Left out are arcs of no length in the parameters and edges that are one point in space, as those
+/// Left out are arcs that are no edges of the face, arcs of no length in the parameters and edges that are one point in space, as those
 /// along a pole: up to rounding with InsideDomain, up to kClosureTolerance of the surface's size with
 /// NoSeams.
 std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(

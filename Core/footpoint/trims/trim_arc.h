@@ -8,7 +8,24 @@
 namespace footpoint
 {
 
-/// A part of the boundary of a trimmed face: a polynomial or rational Bézier arc that is monotone
+/// What an arc of a loop is to the face. All arcs of loops that do not meet bound it, but not those of
+/// loops that cross, nor those of a hole beside the face.
+enum class ArcBounds
+{
+  Face,     ///< the face lies to its left and ends there
+  Repeated, ///< the same, where an earlier arc runs along the same stretch and counts
+  Inside,   ///< the face lies on both sides
+  Outside,  ///< the face lies on neither side
+  Undecided ///< it may be any of these: it counts as an edge, but no foot on it is proved
+};
+
+/// Whether an arc is an edge of the face.
+inline bool is_edge(ArcBounds bounds)
+{
+  return bounds == ArcBounds::Face || bounds == ArcBounds::Undecided;
+}
+
+/// A part of a loop of a trimmed face: a polynomial or rational Bézier arc that is monotone
 /// in u and in v and crosses no knot line of the surface and no border of its domain.
 struct TrimArc
 {
@@ -21,6 +38,7 @@ struct TrimArc
   std::array<double, 2> range; ///< of the curve's local parameter, ascending
   std::array<bool, 2> vertex;  ///< whether it starts, ends at an end of the curve as given
   bool inside_domain;          ///< lies in the surface's domain, borders included
+  ArcBounds bounds = ArcBounds::Face; ///< where it is inside the domain
 };
 
 } // namespace footpoint

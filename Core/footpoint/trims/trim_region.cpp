@@ -3,6 +3,7 @@
 
 #include "footpoint/common/errors.h"
 #include "footpoint/splines/validation.h"
+#include "footpoint/trims/boundary_parts.h"
 #include "footpoint/trims/loop_chain.h"
 
 #include <algorithm>
@@ -263,12 +264,13 @@ IndexedArc indexed(const ChainArc& arc, const RayPlane& rays, double by)
 } // namespace
 
 TrimRegion::TrimRegion(const std::vector<TrimLoop>& loops, const Surface& surface, double tolerance)
+  : Plane(surface)
 {
   if (loops.empty())
   {
     throw GeometryError(GeometryDefect::Format, "a trimmed face needs at least one loop");
   }
-  const TrimPlane plane(surface);
+  const TrimPlane& plane = this->Plane;
   const double largest_gap = std::max(tolerance, kLargestGap * surface.size());
   std::vector<LoopChain> chains;
   for (std::size_t k = 0; k < loops.size(); ++k)
@@ -280,6 +282,7 @@ TrimRegion::TrimRegion(const std::vector<TrimLoop>& loops, const Surface& surfac
   const int base = base_winding(chains, rays, plane);
 
   std::vector<IndexedArc> arcs;
+  std::vector<ChainArc> in_domain;
   for (LoopChain& chain : chains)
   {
     const std::vector<int> all_copies = copies(chain, rays.b, plane);
@@ -300,18 +303,58 @@ TrimRegion::TrimRegion(const std::vector<TrimLoop>& loops, const Surface& surfac
         arc.arc.inside_domain =
           arc.arc.inside_domain && plane.inside(i, arc.end[0][i]) && plane.inside(i, arc.end[1][i]);
       }
-      this->Arcs.push_back(std::move(arc.arc));
+      in_domain.push_back(std::move(arc));
     }
   }
   this->Swapped = rays.a == 1;
   this->Index = WindingIndex(arcs, { { plane.length(rays.a), plane.length(rays.b) } },
     { { plane.rounding(rays.a), plane.rounding(rays.b) } }, base);
   this->Cells = KeptCells(this->Index);
+  this->add_arcs(std::move(in_domain));
   if (!this->keeps_something())
   {
     throw GeometryError(
       GeometryDefect::Format, "the " + std::to_string(loops.size()) + " trim loops keep nothing");
   }
+}
+
+/// Cut where they meet others, with what each of them bounds.
+void TrimRegion::add_arcs(std::vector<ChainArc> arcs)
+{
+  const TrimPlane& plane = this->Plane;
+  const auto winding = [&](Eigen::Vector2d place)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      if (plane.closed(i) && !plane.inside(i, place[i]))
+      {
+        place[i] += place[i] < 0.0 ? plane.length(i) : -plane.length(i);
+      }
+    }
+    return this->Index.winding(
+      this->clamped(0, place[this->Swapped ? 1 : 0]), this->clamped(1, place[this->Swapped ? 0 : 1]));
+  };
+  for (BoundaryPart& part : cut_at_contacts(std::move(arcs), plane))
+  {
+    if (part.arc.arc.inside_domain)
+    {
+      const ArcBounds bounds = bounds_of(part, plane, winding);
+      part.arc.arc.bounds = bounds;
+      if (part.overlapped && (bounds == ArcBounds::Inside || bounds == ArcBounds::Outside))
+      {
+        this->Passed.push_back({ part.arc, bounds == ArcBounds::Inside });
+      }
+    }
+    this->Arcs.push_back(std::move(part.arc.arc));
+  }
+}
+
+bool TrimRegion::keeps_near_passed(double a, double b) const
+{
+  const Eigen::Vector2d place(this->Swapped ? b : a, this->Swapped ? a : b);
+  const auto near = std::find_if(this->Passed.begin(), this->Passed.end(),
+    [&](const PassedStretch& stretch) { return passes(stretch.arc, this->Plane, place); });
+  return near == this->Passed.end() ? this->Index.winding(a, b) > 0 : near->kept;
 }
 
 TrimRegion::Cover TrimRegion::cover(

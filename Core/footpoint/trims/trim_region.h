@@ -2,9 +2,11 @@
 #pragma once
 
 #include "footpoint/splines/surface.h"
+#include "footpoint/trims/chain_arc.h"
 #include "footpoint/trims/kept_cells.h"
 #include "footpoint/trims/trim_arc.h"
 #include "footpoint/trims/trim_loop.h"
+#include "footpoint/trims/trim_plane.h"
 #include "footpoint/trims/winding_index.h"
 
 #include <array>
@@ -48,14 +50,16 @@ public:
     const double a = this->clamped(0, this->Swapped ? v : u);
     const double b = this->clamped(1, this->Swapped ? u : v);
     const KeptCells::State state = this->Cells.at(a, b);
-    return state == KeptCells::State::Crossed ? this->Index.winding(a, b) > 0
-                                              : state == KeptCells::State::Inside;
+    return state == KeptCells::State::Crossed
+      ? (this->Passed.empty() ? this->Index.winding(a, b) > 0 : this->keeps_near_passed(a, b))
+      : state == KeptCells::State::Inside;
   }
 
   /// How much of a box of local parameters is kept.
   Cover cover(const std::array<double, 2>& lower, const std::array<double, 2>& upper) const;
 
-  /// The whole boundary, loop by loop in the order of the curves.
+  /// All loops, one after the other in the order of their curves, cut where they meet. What ends at
+  /// an arc says its `bounds`.
   const std::vector<TrimArc>& arcs() const { return this->Arcs; }
 
   /// The largest gap that was closed, in model units.
@@ -68,9 +72,21 @@ private:
     const double length = this->Index.length()[i];
     return at > 0.0 ? (at < length ? at : length) : 0.0;
   }
+  /// Arcs that share a stretch, with the same kept on both sides: what is on them is, too, whatever
+  /// the rounding of the winding number says.
+  struct PassedStretch
+  {
+    ChainArc arc;
+    bool kept;
+  };
+
+  bool keeps_near_passed(double a, double b) const;
+  void add_arcs(std::vector<ChainArc> arcs);
   bool keeps_something() const;
 
+  TrimPlane Plane;
   std::vector<TrimArc> Arcs;
+  std::vector<PassedStretch> Passed;
   bool Swapped = false; ///< the index takes (v, u): its rays run along u
   WindingIndex Index;
   KeptCells Cells;

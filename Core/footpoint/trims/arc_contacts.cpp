@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/trims/arc_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace footpoint
+{
+namespace
+{
+
+using Point2 = Eigen::Vector2d;
+using Control = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+/// All lengths below are in units of kContact of the plane's rounding.
+
+/// A part is straight where its control points are no farther from its chord.
+constexpr double kStraight = 0.25;
+
+/// Parts whose control points are farther apart do not meet.
+constexpr double kApart = 1.5;
+
+/// Contacts that are nearer to each other, or to the end of an arc, are one.
+constexpr double kOnePlace = 8.0;
+
+/// A part of an arc.
+struct Part
+{
+  Control control;
+  double lower; ///< fractions of the arc
+  double upper;
+  Eigen::Matrix2Xd points; ///< control points
+  double bulge; ///< the largest distance of a control point from the chord
+
+  Point2 start() const { return this->points.col(0); }
+  Point2 end() const { return this->points.col(this->points.cols() - 1); }
+};
+
+Part part_of(Control control, double lower, double upper)
+{
+  Part part{ std::move(control), lower, upper, {}, 0.0 };
+  part.points = part.control.topRows<2>().array().rowwise() / part.control.row(2).array();
+  const Point2 chord = part.end() - part.start();
+  const double length = chord.norm();
+  for (Eigen::Index k = 1; k + 1 < part.points.cols(); ++k)
+  {
+    const Point2 to = part.points.col(k) - part.start();
+    const double off =
+      length > 0.0 ? std::abs(chord[0] * to[1] - chord[1] * to[0]) / length : to.norm();
+    part.bulge = std::max(part.bulge, off);
+  }
+  return part;
+}
+
+std::array<Part, 2> halves(const Part& part)
+{
+  Control left = part.control;
+  Control right = part.control; // overwritten from the front by de Casteljau's columns
+  const Eigen::Index degree = right.cols() - 1;
+  for (Eigen::Index level = 1; level <= degree; ++level)
+  {
+    for (Eigen::Index j = 0; j <= degree - level; ++j)
+    {
+      right.col(j) = 0.5 * (right.col(j) + right.col(j + 1));
+    }
+    left.col(level) = right.col(0);
+  }
+  const double middle = 0.5 * (part.lower + part.upper);
+  return { { part_of(std::move(left), part.lower, middle),
+    part_of(std::move(right), middle, part.upper) } };
+}
+
+/// Whether the control points are apart along a direction.
+bool are_apart(const Part& a, const Part& b, const Point2& direction)
+{
+  const double length = direction.norm();
+  if (!(length > 0.0))
+  {
+    return false;
+  }
+  const Point2 from = a.start();
+  const Point2 along = direction / length;
+  const auto extent = [&](const Eigen::Matrix2Xd& points)
+  {
+    std::array<double, 2> result{ { INFINITY, -INFINITY } };
+    for (Eigen::Index k = 0; k < points.cols(); ++k)
+    {
+      const double at = along.dot(points.col(k) - from);
+      result = { { std::min(result[0], at), std::max(result[1], at) } };
+    }
+    return result;
+  };
+  const std::array<double, 2> of_a = extent(a.points);
+  const std::array<double, 2> of_b = extent(b.points);
+  return of_a[0] > of_b[1] + kApart || of_b[0] > of_a[1] + kApart;
+}
+
+bool are_apart(const Part& a, const Part& b)
+{
+  const Point2 chord_a = a.end() - a.start();
+  const Point2 chord_b = b.end() - b.start();
+  return are_apart(a, b, Point2(1, 0)) || are_apart(a, b, Point2(0, 1)) ||
+    are_apart(a, b, Point2(-chord_a[1], chord_a[0])) ||
+    are_apart(a, b, Point2(-chord_b[1], chord_b[0]));
+}
+
+/// Whether two arcs that begin in the same point meet nowhere else: seen from there, their control
+/// points lie in angles that are apart. \param a, b control points, the common one first
+bool only_join(const Eigen::Matrix2Xd& a, const Eigen::Matrix2Xd& b)
+{
+  // The angles of each from its first direction; monotone arcs span a quarter at most.
+  const auto span = [](const Eigen::Matrix2Xd& points, std::array<Point2, 2>& ends)
+  {
+    bool found = false;
+    for (Eigen::Index k = 1; k < points.cols(); ++k)
+    {
+      const Point2 to = points.col(k) - points.col(0);
+      if (to.norm() <= kOnePlace)
+      {
+        continue;
+      }
+      const Point2 way = to.normalized();
+      const auto turn = [&](const Point2& from) { return from[0] * way[1] - from[1] * way[0]; };
+      ends[0] = !found || turn(ends[0]) < 0.0 ? way : ends[0];
+      ends[1] = !found || turn(ends[1]) > 0.0 ? way : ends[1];
+      found = true;
+    }
+    return found;
+  };
+  std::array<Point2, 2> of_a;
+  std::array<Point2, 2> of_b;
+  if (!span(a, of_a) || !span(b, of_b))
+  {
+    return false;
+  }
+  const Point2 middle_a = of_a[0] + of_a[1];
+  const Point2 middle_b = of_b[0] + of_b[1];
+  const auto angle = [](const Point2& p, const Point2& q)
+  { return std::atan2(std::abs(p[0] * q[1] - p[1] * q[0]), p.dot(q)); };
+  constexpr double kLeastAngle = 1e-6;
+  return angle(middle_a, middle_b) >
+    angle(middle_a, of_a[0]) + angle(middle_b, of_b[0]) + kLeastAngle;
+}
+
+Control in_units(const ChainArc& arc, const Point2& unit)
+{
+  Control control = arc.arc.control;
+  control.row(0) /= unit[0];
+  control.row(1) /= unit[1];
+  return control;
+}
+
+Point2 point_at(const Part& part, double t)
+{
+  Control points = part.control;
+  for (Eigen::Index left = points.cols() - 1; left > 0; --left)
+  {
+    for (Eigen::Index k = 0; k < left; ++k)
+    {
+      points.col(k) = (1.0 - t) * points.col(k) + t * points.col(k + 1);
+    }
+  }
+  return points.col(0).head<2>() / points(2, 0);
+}
+
+/// The fraction of an arc at which it is as far along its longer side as a point.
+double fraction_beside(const ChainArc& arc, const Part& whole, const Point2& unit, const Point2& at)
+{
+  const Point2 extent = (whole.end() - whole.start()).cwiseAbs();
+  const int i = extent[0] >= extent[1] ? 0 : 1;
+  const double along = at[i] * unit[i];
+  const double ascending = arc.end[1][i] >= arc.end[0][i] ? 1.0 : -1.0;
+  if (ascending * (along - arc.end[0][i]) <= 0.0)
+  {
+    return 0.0;
+  }
+  return ascending * (along - arc.end[1][i]) >= 0.0 ? 1.0 : fraction_at(arc, i, along);
+}
+
+class Comparison
+{
+public:
+  Comparison(const ChainArc& a, const ChainArc& b, const TrimPlane& plane, int& steps)
+    : Arcs{ { &a, &b } }
+    , Unit(kContact * plane.rounding(0), kContact * plane.rounding(1))
+    , Whole{ { part_of(in_units(a, this->Unit), 0.0, 1.0),
+        part_of(in_units(b, this->Unit), 0.0, 1.0) } }
+    , Steps(steps)
+  {
+  }
+
+  ArcContacts run()
+  {
+    if (are_apart(this->Whole[0], this->Whole[1]))
+    {
+      return {};
+    }
+    if (this->join())
+    {
+      return {};
+    }
+    if (!this->overlap())
+    {
+      this->search();
+    }
+    return std::move(this->Contacts);
+  }
+
+private:
+  /// A contact of two straight parts.
+  struct Meeting
+  {
+    std::array<double, 2> at;
+    std::array<double, 2> lower; ///< fractions of the arcs between which the parts lie
+    std::array<double, 2> upper;
+    double distance;
+  };
+
+  /// Whether the arcs only join, end to end.
+  bool join() const
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const int end[2] = { k % 2, k / 2 };
+      if (this->Arcs[0]->end[end[0]] != this->Arcs[1]->end[end[1]])
+      {
+        continue;
+      }
+      Eigen::Matrix2Xd points[2];
+      for (int i = 0; i < 2; ++i)
+      {
+        points[i] = end[i] == 0 ? this->Whole[i].points
+                                : Eigen::Matrix2Xd(this->Whole[i].points.rowwise().reverse());
+      }
+      if (only_join(points[0], points[1]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Looks for a stretch that both share: it ends where one of them does.
+  bool overlap()
+  {
+    std::vector<std::array<double, 2>>& common = this->Ends;
+    for (int i = 0; i < 2; ++i)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        const Point2 at = end == 0 ? this->Whole[i].start() : this->Whole[i].end();
+        std::array<double, 2> place;
+        place[i] = end;
+        place[1 - i] = this->beside(1 - i, at);
+        if (this->distance(1 - i, place[1 - i], at) <= 1.0)
+        {
+          common.push_back(place);
+        }
+      }
+    }
+    if (common.size() < 2)
+    {
+      return false;
+    }
+    const auto ends = std::minmax_element(common.begin(), common.end());
+    const std::array<double, 2> first = *ends.first;
+    const std::array<double, 2> last = *ends.second;
+    const Point2 from = point_at(this->Whole[0], first[0]);
+    const Point2 to = point_at(this->Whole[0], last[0]);
+    if ((to - from).norm() <= kOnePlace)
+    {
+      return false;
+    }
+    const auto samples =
+      (this->Whole[0].points.cols() - 1) * (this->Whole[1].points.cols() - 1) + 1;
+    for (Eigen::Index k = 1; k <= samples; ++k)
+    {
+      const double part = static_cast<double>(k) / static_cast<double>(samples + 1);
+      const Point2 at = point_at(this->Whole[0], first[0] + part * (last[0] - first[0]));
+      if (this->distance(1, this->beside(1, at), at) > 1.0)
+      {
+        return false;
+      }
+    }
+    const bool same_way = last[1] > first[1];
+    const auto [low, high] = std::minmax(first[1], last[1]);
+    this->Contacts.overlaps.push_back(
+      { { { { { first[0], last[0] } }, { { low, high } } } }, same_way });
+    return true;
+  }
+
+  double beside(int i, const Point2& at) const
+  {
+    return fraction_beside(*this->Arcs[i], this->Whole[i], this->Unit, at);
+  }
+
+  /// Of a point from an arc at a fraction of it, in the direction across or along, whichever is more.
+  double distance(int i, double t, const Point2& at) const
+  {
+    return (point_at(this->Whole[i], t) - at).norm();
+  }
+
+  void search()
+  {
+    std::vector<std::array<Part, 2>> stack{ this->Whole };
+    std::vector<Meeting> meetings;
+    while (!stack.empty())
+    {
+      const std::array<Part, 2> pair = std::move(stack.back());
+      stack.pop_back();
+      if (are_apart(pair[0], pair[1]))
+      {
+        continue;
+      }
+      if (--this->Steps < 0)
+      {
+        this->Contacts.complete = false;
+        break;
+      }
+      if (pair[0].bulge <= kStraight && pair[1].bulge <= kStraight)
+      {
+        meetings.push_back(this->meet(pair));
+        continue;
+      }
+      const int which = pair[0].bulge >= pair[1].bulge ? 0 : 1;
+      for (Part& half : halves(pair[which]))
+      {
+        stack.push_back(pair);
+        stack.back()[which] = std::move(half);
+      }
+    }
+    this->merge(std::move(meetings));
+  }
+
+  /// Where two straight parts are nearest to each other.
+  Meeting meet(const std::array<Part, 2>& pair) const
+  {
+    const Point2 p = pair[0].end() - pair[0].start();
+    const Point2 q = pair[1].end() - pair[1].start();
+    const Point2 between = pair[1].start() - pair[0].start();
+    const double cross = p[0] * q[1] - p[1] * q[0];
+    const double s = (between[0] * q[1] - between[1] * q[0]) / cross;
+    const double r = (between[0] * p[1] - between[1] * p[0]) / cross;
+    std::array<Point2, 2> at{ { pair[0].start(), pair[1].start() } };
+    // Of lines that are nearly parallel s and r may be far off.
+    const bool crossing = s >= 0.0 && s <= 1.0 && r >= 0.0 && r <= 1.0;
+    if (crossing)
+    {
+      at = { { pair[0].start() + s * p, pair[1].start() + r * q } };
+    }
+    if (!crossing || !((at[1] - at[0]).norm() <= kStraight))
+    {
+      double nearest = INFINITY;
+      for (int k = 0; k < 4; ++k)
+      {
+        const int i = k / 2; // an end of this one, the other one beside it
+        const Point2 end = k % 2 == 0 ? pair[i].start() : pair[i].end();
+        const Point2 way = i == 0 ? q : p;
+        const Point2 from = pair[1 - i].start();
+        const double length = way.squaredNorm();
+        const double part =
+          length > 0.0 ? std::clamp((end - from).dot(way) / length, 0.0, 1.0) : 0.0;
+        const Point2 other = from + part * way;
+        if ((other - end).norm() < nearest)
+        {
+          nearest = (other - end).norm();
+          at[i] = end;
+          at[1 - i] = other;
+        }
+      }
+    }
+    Meeting meeting;
+    for (int i = 0; i < 2; ++i)
+    {
+      meeting.lower[i] = pair[i].lower;
+      meeting.upper[i] = pair[i].upper;
+      meeting.at[i] = std::clamp(this->beside(i, at[i]), pair[i].lower, pair[i].upper);
+    }
+    meeting.distance = (at[1] - at[0]).norm();
+    return meeting;
+  }
+
+  /// Parts side by side that meet are one contact: where they are nearest.
+  void merge(std::vector<Meeting> meetings)
+  {
+    const auto are_neighbours = [](const Meeting& a, const Meeting& b)
+    {
+      for (int i = 0; i < 2; ++i)
+      {
+        if (a.lower[i] > b.upper[i] || b.lower[i] > a.upper[i])
+        {
+          return false;
+        }
+      }
+      return true;
+    };
+    while (!meetings.empty())
+    {
+      std::vector<Meeting> group{ meetings.back() };
+      meetings.pop_back();
+      Meeting best = group.front();
+      for (std::size_t k = 0; k < group.size(); ++k)
+      {
+        for (std::size_t other = meetings.size(); other-- > 0;)
+        {
+          if (are_neighbours(group[k], meetings[other]))
+          {
+            group.push_back(meetings[other]);
+            best = meetings[other].distance < best.distance ? meetings[other] : best;
+            meetings.erase(meetings.begin() + static_cast<std::ptrdiff_t>(other));
+          }
+        }
+      }
+      if (best.distance > kApart)
+      {
+        continue;
+      }
+      // Arcs that touch are one point over a stretch: the end of one of them, if it is there.
+      for (const std::array<double, 2>& end : this->Ends)
+      {
+        const bool here = std::any_of(group.begin(), group.end(),
+          [&](const Meeting& meeting)
+          {
+            return meeting.lower[0] <= end[0] && end[0] <= meeting.upper[0] &&
+              meeting.lower[1] <= end[1] && end[1] <= meeting.upper[1];
+          });
+        best.at = here ? end : best.at;
+      }
+      this->Contacts.touches.push_back({ best.at });
+    }
+  }
+
+  std::array<const ChainArc*, 2> Arcs;
+  Point2 Unit;
+  std::array<Part, 2> Whole;
+  int& Steps;
+  std::vector<std::array<double, 2>> Ends; ///< of one arc on the other, as fractions of both
+  ArcContacts Contacts;
+};
+
+} // namespace
+
+ArcContacts arc_contacts(
+  const ChainArc& a, const ChainArc& b, const TrimPlane& plane, int& steps)
+{
+  return Comparison(a, b, plane, steps).run();
+}
+
+} // namespace footpoint
