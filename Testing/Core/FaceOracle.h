@@ -114,7 +114,7 @@ public:
     bool kept = this->Loops->keeps(at);
     for (Real away = kBeside; away < 2e-5L && !kept; away *= 10)
     {
-      kept = this->is_kept_beside(at, away);
+      kept = this->is_kept_beside(at, away, kCloseLooks);
     }
     return kept;
   }
@@ -157,6 +157,7 @@ private:
   /// So far beside a loop is looked whether it bounds what is kept.
   static constexpr Real kBeside = 1e-13L;
   static constexpr int kLooks = 32; ///< directions in which is looked
+  static constexpr int kCloseLooks = 2048; ///< into corners of a fraction of a degree
 
   footpoint::TrimLoop domain() const
   {
@@ -272,12 +273,12 @@ private:
 
   /// Whether anything is kept about a point, on a loop or between two: not where loops overlap or
   /// leave each other, or run back on themselves up to a rounding.
-  bool is_kept_beside(const Place& at, Real away = kBeside) const
+  bool is_kept_beside(const Place& at, Real away = kBeside, int looks = kLooks) const
   {
-    for (int k = 0; k < kLooks; ++k)
+    for (int k = 0; k < looks; ++k)
     {
       // Not along u or v, on lines that are run through there and back.
-      const Real angle = 2.0L * std::acos(-1.0L) * (k + 0.37L) / kLooks;
+      const Real angle = 2.0L * std::acos(-1.0L) * (k + 0.37L) / looks;
       const Place there{ { at[0] + away * std::cos(angle) * this->Width[0],
         at[1] + away * std::sin(angle) * this->Width[1] } };
       bool inside = true;

@@ -385,12 +385,12 @@ bool passes(const ChainArc& arc, const TrimPlane& plane, const Eigen::Vector2d& 
   }
   const Point2 extent = (arc.end[1] - arc.end[0]).cwiseAbs().cwiseQuotient(reach);
   const int i = extent[0] >= extent[1] ? 0 : 1;
-  const auto [low, high] = std::minmax(arc.end[0][i], arc.end[1][i]);
-  if (extent[1 - i] <= 1.0 || place[i] <= low || place[i] >= high)
-  {
-    return true;
-  }
-  const Point2 at = arc_jet(arc.arc, fraction_at(arc, i, place[i]), 0).col(0);
+  const bool ascending = arc.end[1][i] > arc.end[0][i];
+  const bool before = ascending ? place[i] <= arc.end[0][i] : place[i] >= arc.end[0][i];
+  const bool behind = ascending ? place[i] >= arc.end[1][i] : place[i] <= arc.end[1][i];
+  const Point2 at = before ? arc.end[0]
+    : behind               ? arc.end[1]
+                           : Point2(arc_jet(arc.arc, fraction_at(arc, i, place[i]), 0).col(0));
   return (at - place).cwiseQuotient(reach).norm() <= 1.0;
 }
 
