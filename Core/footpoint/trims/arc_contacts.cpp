@@ -164,12 +164,9 @@ Point2 point_at(const Part& part, double t)
   return points.col(0).head<2>() / points(2, 0);
 }
 
-/// The fraction of an arc at which it is as far along its longer side as a point.
-double fraction_beside(const ChainArc& arc, const Part& whole, const Point2& unit, const Point2& at)
+/// The fraction of an arc at which coordinate i is that of a point, as far as the arc reaches.
+double fraction_beside(const ChainArc& arc, int i, double along)
 {
-  const Point2 extent = (whole.end() - whole.start()).cwiseAbs();
-  const int i = extent[0] >= extent[1] ? 0 : 1;
-  const double along = at[i] * unit[i];
   const double ascending = arc.end[1][i] >= arc.end[0][i] ? 1.0 : -1.0;
   if (ascending * (along - arc.end[0][i]) <= 0.0)
   {
@@ -290,12 +287,23 @@ private:
     return true;
   }
 
+  /// The fraction of an arc at which it is near a point: as far as it along u or along v, whichever
+  /// brings it nearer, since an arc may turn back in one of them.
   double beside(int i, const Point2& at) const
   {
-    return fraction_beside(*this->Arcs[i], this->Whole[i], this->Unit, at);
+    double best = 0.0;
+    double nearest = INFINITY;
+    for (int k = 0; k < 2; ++k)
+    {
+      const double t = fraction_beside(*this->Arcs[i], k, at[k] * this->Unit[k]);
+      const double distance = this->distance(i, t, at);
+      best = distance < nearest ? t : best;
+      nearest = std::min(nearest, distance);
+    }
+    return best;
   }
 
-  /// Of a point from an arc at a fraction of it, in the direction across or along, whichever is more.
+  /// Of a point from an arc at a fraction of it.
   double distance(int i, double t, const Point2& at) const
   {
     return (point_at(this->Whole[i], t) - at).norm();

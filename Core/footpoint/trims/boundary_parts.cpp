@@ -383,15 +383,21 @@ bool passes(const ChainArc& arc, const TrimPlane& plane, const Eigen::Vector2d& 
       return false;
     }
   }
-  const Point2 extent = (arc.end[1] - arc.end[0]).cwiseAbs().cwiseQuotient(reach);
-  const int i = extent[0] >= extent[1] ? 0 : 1;
-  const bool ascending = arc.end[1][i] > arc.end[0][i];
-  const bool before = ascending ? place[i] <= arc.end[0][i] : place[i] >= arc.end[0][i];
-  const bool behind = ascending ? place[i] >= arc.end[1][i] : place[i] <= arc.end[1][i];
-  const Point2 at = before ? arc.end[0]
-    : behind               ? arc.end[1]
-                           : Point2(arc_jet(arc.arc, fraction_at(arc, i, place[i]), 0).col(0));
-  return (at - place).cwiseQuotient(reach).norm() <= 1.0;
+  // As far along the arc as the place, in either coordinate, since an arc may turn back in one of them.
+  for (int i = 0; i < 2; ++i)
+  {
+    const bool ascending = arc.end[1][i] > arc.end[0][i];
+    const bool before = ascending ? place[i] <= arc.end[0][i] : place[i] >= arc.end[0][i];
+    const bool behind = ascending ? place[i] >= arc.end[1][i] : place[i] <= arc.end[1][i];
+    const Point2 at = before ? arc.end[0]
+      : behind               ? arc.end[1]
+                             : Point2(arc_jet(arc.arc, fraction_at(arc, i, place[i]), 0).col(0));
+    if ((at - place).cwiseQuotient(reach).norm() <= 1.0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace footpoint
