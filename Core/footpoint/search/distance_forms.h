@@ -104,9 +104,9 @@ public:
 private:
   const PieceShape* shape(int p, int q, bool rational);
   const PieceShape* shape_of(const Surface& surface);
-  /// \param source whose for_each(visit) gives `count` Bézier pieces, one after the other
   void add_trimmed(std::int32_t patch, const Surface& surface, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special, const TrimRegion& region);
+  /// \param source whose for_each(visit) gives `count` Bézier pieces, one after the other
   template <int N, class Source>
   void append(std::int32_t patch, const Source& source, std::size_t count,
     const ParametricGeometry<N>& geometry, const PieceShape* shape, const Vector3& offset,
