@@ -602,6 +602,28 @@ TEST(EdgeCurve, RefusesWhatIsNoCurve)
   EXPECT_THROW(edge_on(shapes::triangle(), { line(0, 0, 0, 1) }), footpoint::GeometryError);
 }
 
+/// x = u (u − ¼) (u − ½) (u − ¾) (u − 1) along an edge of the strip: it passes through its start at every
+/// quarter of its parameter.
+TEST(EdgeCurve, AnEdgeThatReturnsToItsStartHasASize)
+{
+  Points points = Points::Zero(3, 12);
+  const double quintic[6] = { 0.0, 0.01875, -0.040625, 0.040625, -0.01875, 0.0 };
+  for (int k = 0; k < 12; ++k)
+  {
+    points(0, k) = quintic[k % 6];
+    points(1, k) = k / 6;
+  }
+  const Surface strip(KnotVector(5, { 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1 }),
+    KnotVector(1, { 0, 0, 1, 1 }), points);
+  const EdgeCurve edge = edge_on(strip, { line(0, 0, 1, 0) });
+  const Vector3 start = edge.point(Parameter<1>(0.0));
+  for (const double t : { 0.25, 0.5, 0.75, 1.0 })
+  {
+    EXPECT_LE((edge.point(Parameter<1>(t)) - start).norm(), 1e-16);
+  }
+  EXPECT_NEAR(edge.size(), 0.0071, 5e-4);
+}
+
 TEST(EdgeCurve, AGapIsAnArcOfLengthOne)
 {
   TrimArc gap = line(2, 2, 2.5, 2.25, 7.0, 7.0);

@@ -14,8 +14,16 @@ namespace footpoint
 namespace
 {
 
-/// Points of each arc whose box gives the size of the edge.
+/// Points of each arc whose box gives the size of the edge, where it is no point by them.
 constexpr int kSizeSamples = 4;
+
+/// As many points of an arc as it could return to the first of them and not be one point. A rational
+/// piece could at a few more.
+int closest_samples(const Surface& surface, const TrimArc& arc)
+{
+  return 2 * (surface.knots(0).degree() + surface.knots(1).degree()) *
+    static_cast<int>(arc.control.cols());
+}
 
 /// One-sided derivatives at a joint of arcs that differ by this part of their length are a kink.
 /// What is left below turns a tangent by no more than closure may move a point.
@@ -112,9 +120,7 @@ bool is_point(const Surface& surface, const std::vector<TrimArc>& arcs, double t
   for (std::size_t k = 0; k < arcs.size(); ++k)
   {
     const ArcCell cell = arc_cell(surface, arcs[k]);
-    // A rational piece could return to the first point at a few samples only.
-    const int samples = 2 * (surface.knots(0).degree() + surface.knots(1).degree()) *
-      static_cast<int>(arcs[k].control.cols());
+    const int samples = closest_samples(surface, arcs[k]);
     for (int i = 0; i <= samples; ++i)
     {
       const Parameter<2> t = arc_jet(arcs[k], static_cast<double>(i) / samples, 0).col(0);
@@ -218,20 +224,34 @@ EdgeCurve::EdgeCurve(std::shared_ptr<const Surface> surface, std::vector<TrimArc
   this->analyse();
 }
 
+Points EdgeCurve::sampled(int of_arc) const
+{
+  const std::vector<double>& spans = this->Directions[0].spans;
+  Points samples(3, static_cast<Eigen::Index>(this->Arcs.size()) * of_arc + 1);
+  for (Eigen::Index i = 0; i < samples.cols(); ++i)
+  {
+    const std::size_t arc = std::min<std::size_t>(i / of_arc, this->Arcs.size() - 1);
+    const double fraction = (static_cast<double>(i) - static_cast<double>(arc * of_arc)) / of_arc;
+    const double t = spans[arc] + fraction * (spans[arc + 1] - spans[arc]);
+    samples.col(i) = this->jet(Parameter<1>(t), Sides<1>(Side::Right), 0).point;
+  }
+  return samples;
+}
+
 void EdgeCurve::measure()
 {
   Direction& direction = this->Directions[0];
   const std::vector<double>& spans = direction.spans;
-  Points samples(3, static_cast<Eigen::Index>(this->Arcs.size()) * kSizeSamples + 1);
-  for (Eigen::Index i = 0; i < samples.cols(); ++i)
+  this->recentre(this->sampled(kSizeSamples));
+  if (this->Size <= kClosureTolerance * this->Base->size())
   {
-    const std::size_t arc = std::min<std::size_t>(i / kSizeSamples, this->Arcs.size() - 1);
-    const double fraction =
-      (static_cast<double>(i) - static_cast<double>(arc * kSizeSamples)) / kSizeSamples;
-    const double t = spans[arc] + fraction * (spans[arc + 1] - spans[arc]);
-    samples.col(i) = this->jet(Parameter<1>(t), Sides<1>(Side::Right), 0).point;
+    int samples = kSizeSamples;
+    for (const TrimArc& arc : this->Arcs)
+    {
+      samples = std::max(samples, closest_samples(*this->Base, arc));
+    }
+    this->recentre(this->sampled(samples));
   }
-  this->recentre(samples);
   this->Centre = this->Base->centre(); // so that positions are the surface's, without a rounding
   if (!(this->Size > 0.0))
   {

@@ -41,6 +41,8 @@ private:
   std::size_t arc_at(double t, Side side) const;
   /// t as a fraction of an arc, in [0, 1].
   double fraction(double t, std::size_t arc) const;
+  /// Points of the edge, so many of each arc and the end.
+  Points sampled(int of_arc) const;
   /// Size from samples; breaks where arcs meet with a kink.
   void measure();
 
