@@ -108,15 +108,10 @@ public:
     return best;
   }
 
-  /// Whether anything is kept at a point, or about it at 1e-13 to 1e-5 of the domain.
+  /// Whether anything is kept at a point, or beside loops within 2e-3 of the domain of it.
   bool keeps_about(const Place& at) const
   {
-    bool kept = this->Loops->keeps(at);
-    for (Real away = kBeside; away < 2e-5L && !kept; away *= 10)
-    {
-      kept = this->is_kept_beside(at, away, kCloseLooks);
-    }
-    return kept;
+    return this->Loops->keeps(at) || this->Loops->keeps_beside_loops(at, kAbout);
   }
 
   /// The nearest point that is found.
@@ -157,7 +152,7 @@ private:
   /// So far beside a loop is looked whether it bounds what is kept.
   static constexpr Real kBeside = 1e-13L;
   static constexpr int kLooks = 32; ///< directions in which is looked
-  static constexpr int kCloseLooks = 2048; ///< into corners of a fraction of a degree
+  static constexpr Real kAbout = 2e-3L;
 
   footpoint::TrimLoop domain() const
   {
@@ -273,14 +268,14 @@ private:
 
   /// Whether anything is kept about a point, on a loop or between two: not where loops overlap or
   /// leave each other, or run back on themselves up to a rounding.
-  bool is_kept_beside(const Place& at, Real away = kBeside, int looks = kLooks) const
+  bool is_kept_beside(const Place& at) const
   {
-    for (int k = 0; k < looks; ++k)
+    for (int k = 0; k < kLooks; ++k)
     {
       // Not along u or v, on lines that are run through there and back.
-      const Real angle = 2.0L * std::acos(-1.0L) * (k + 0.37L) / looks;
-      const Place there{ { at[0] + away * std::cos(angle) * this->Width[0],
-        at[1] + away * std::sin(angle) * this->Width[1] } };
+      const Real angle = 2.0L * std::acos(-1.0L) * (k + 0.37L) / kLooks;
+      const Place there{ { at[0] + kBeside * std::cos(angle) * this->Width[0],
+        at[1] + kBeside * std::sin(angle) * this->Width[1] } };
       bool inside = true;
       for (int i = 0; i < 2; ++i)
       {

@@ -103,7 +103,50 @@ public:
     return best;
   }
 
+  /// Whether anything is kept just beside the loops within a distance of a point, in parts of the domain:
+  /// also in the tip of a cusp between two curves that touch, which no direction from the point meets.
+  bool keeps_beside_loops(const Place& at, Real within) const
+  {
+    for (const Side& side : this->Sides)
+    {
+      if (this->distance_to_chord(side, at) - side.bulge > within)
+      {
+        continue;
+      }
+      Place before = side.end[0];
+      for (int k = 1; k <= kLooks; ++k)
+      {
+        const Real t = side.t[0] + (side.t[1] - side.t[0]) * k / kLooks;
+        const Place here = this->Curves[side.curve].at(t);
+        Place way;
+        Place off;
+        for (int i = 0; i < 2; ++i)
+        {
+          way[i] = (here[i] - before[i]) / this->Width[i];
+          off[i] = (here[i] - at[i]) / this->Width[i];
+        }
+        before = here;
+        const Real length = std::hypot(way[0], way[1]);
+        if (!(length > 0) || std::hypot(off[0], off[1]) > within)
+        {
+          continue;
+        }
+        const Real by = kBesideLoop / length;
+        if (this->keeps({ { here[0] - by * way[1] * this->Width[0],
+              here[1] + by * way[0] * this->Width[1] } }) ||
+          this->keeps({ { here[0] + by * way[1] * this->Width[0],
+            here[1] - by * way[0] * this->Width[1] } }))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
 private:
+  static constexpr int kLooks = 200;          ///< along a side
+  static constexpr Real kBesideLoop = 1e-9L;  ///< in parts of the domain
   static constexpr int kOfSpan = 24;        ///< sides of a span
   static constexpr int kDeepest = 40;       ///< halvings of a side
   static constexpr Real kRounding = 1e-17L; ///< of points of curves, in parts of the domain
