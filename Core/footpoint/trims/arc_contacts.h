@@ -14,6 +14,12 @@ namespace footpoint
 /// coordinate, are one where arcs cross: what evaluation on an arc and the winding number leave.
 constexpr double kContact = 0.5;
 
+/// kContact in u and in v.
+inline Eigen::Vector2d contact_unit(const TrimPlane& plane)
+{
+  return { kContact * plane.rounding(0), kContact * plane.rounding(1) };
+}
+
 /// A place where two arcs cross or touch: they are one point there, up to kContact.
 struct ArcTouch
 {

@@ -3,10 +3,10 @@
 
 #include "footpoint/trims/arc_cell.h"
 #include "footpoint/trims/arc_contacts.h"
+#include "footpoint/trims/arc_part.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace footpoint
@@ -16,30 +16,9 @@ namespace
 
 using Point2 = Eigen::Vector2d;
 
-/// Lengths are in units of kContact of the plane's rounding. Contacts that are nearer to each other,
-/// or to the end of an arc, are one.
-constexpr double kOnePlace = 8.0;
-
-/// Beside an arc by so much is looked what is kept: beyond the rounding of the winding number, and,
-/// where several arcs run along one stretch, beyond all of them.
-constexpr double kBeside = 2.0;
-constexpr double kBesideAll = 4.0;
-
-/// So near to an arc the rounding of the winding number may count it or not.
-constexpr double kNear = 2.0;
-
 /// Pairs of parts that are compared for two arcs, and for all of a region: about 20 ms and 0.5 s.
 constexpr int kStepsOfPair = 1 << 15;
 constexpr int kStepsOfRegion = 1 << 20;
-
-/// Where a part is looked at, as fractions of it, until this many places have told the same.
-constexpr double kPlaces[] = { 0.5, 0.25, 0.75, 0.375, 0.625, 0.125, 0.875, 0.0625, 0.9375 };
-constexpr int kAgreeing = 3;
-
-Point2 unit_of(const TrimPlane& plane)
-{
-  return { kContact * plane.rounding(0), kContact * plane.rounding(1) };
-}
 
 bool is_constant(const ChainArc& arc, int i)
 {
@@ -75,7 +54,7 @@ public:
   Cutter(std::vector<ChainArc> arcs, const TrimPlane& plane)
     : Arcs(std::move(arcs))
     , Plane(plane)
-    , Unit(unit_of(plane))
+    , Unit(contact_unit(plane))
     , Marked(this->Arcs.size())
   {
   }
@@ -280,31 +259,6 @@ private:
   int StepsLeft = kStepsOfRegion;
 };
 
-/// To the left of an arc, one unit long.
-Point2 left_of(const ChainArc& arc, double fraction, const Point2& unit)
-{
-  const Eigen::Matrix<double, 2, 4> jet = arc_jet(arc.arc, fraction, 1);
-  Point2 along = jet.col(1).cwiseQuotient(unit);
-  if (!(along.norm() > 0.0))
-  {
-    along = (arc.end[1] - arc.end[0]).cwiseQuotient(unit);
-  }
-  return Point2(-along[1], along[0]).normalized().cwiseProduct(unit);
-}
-
-/// The coordinate along whose border of the domain an arc runs, −1: none.
-int border_of(const ChainArc& arc, const TrimPlane& plane)
-{
-  for (int i = 0; i < 2; ++i)
-  {
-    if (is_constant(arc, i) && (arc.end[0][i] == 0.0 || arc.end[0][i] == plane.length(i)))
-    {
-      return i;
-    }
-  }
-  return -1;
-}
-
 } // namespace
 
 std::vector<BoundaryPart> cut_at_contacts(std::vector<ChainArc> arcs, const TrimPlane& plane)
@@ -312,92 +266,6 @@ std::vector<BoundaryPart> cut_at_contacts(std::vector<ChainArc> arcs, const Trim
   Cutter cutter(std::move(arcs), plane);
   cutter.compare_all();
   return cutter.parts();
-}
-
-ArcBounds bounds_of(const BoundaryPart& part, const TrimPlane& plane,
-  const std::function<int(const Eigen::Vector2d& place)>& winding)
-{
-  const Point2 unit = unit_of(plane);
-  const ArcBounds edge = part.repeated ? ArcBounds::Repeated : ArcBounds::Face;
-  const int border = border_of(part.arc, plane);
-  if (border >= 0)
-  {
-    Point2 place = arc_jet(part.arc.arc, 0.5, 0).col(0);
-    place[border] += part.arc.end[0][border] == 0.0 ? kBeside * unit[border]
-                                                    : -kBeside * unit[border];
-    return winding(place) > 0 ? edge : ArcBounds::Outside;
-  }
-  const double beside = part.overlapped ? kBesideAll : kBeside;
-  int agreeing = 0;
-  bool left_kept = false;
-  bool right_kept = false;
-  for (const double fraction : kPlaces)
-  {
-    const Point2 place = arc_jet(part.arc.arc, fraction, 0).col(0);
-    const Point2 left = left_of(part.arc, fraction, unit);
-    const int left_winding = winding(place + beside * left);
-    const int right_winding = winding(place - beside * left);
-    if (left_winding - right_winding != part.jump)
-    {
-      continue; // other arcs are as near as that
-    }
-    const bool first = agreeing == 0;
-    if (!first && (left_kept != (left_winding > 0) || right_kept != (right_winding > 0)))
-    {
-      return ArcBounds::Undecided;
-    }
-    left_kept = left_winding > 0;
-    right_kept = right_winding > 0;
-    // A strip between arcs along one stretch that is thinner than they are known to be the same.
-    for (const double between : { -1.0, -0.5, 0.5, 1.0 })
-    {
-      if (part.overlapped && !left_kept && !right_kept && winding(place + between * left) > 0)
-      {
-        return ArcBounds::Undecided;
-      }
-    }
-    if (++agreeing == kAgreeing)
-    {
-      break;
-    }
-  }
-  if (agreeing == 0 || !part.complete)
-  {
-    return ArcBounds::Undecided;
-  }
-  if (left_kept != right_kept)
-  {
-    return left_kept ? edge : ArcBounds::Repeated; // by one that runs the other way
-  }
-  return left_kept ? ArcBounds::Inside : ArcBounds::Outside;
-}
-
-bool passes(const ChainArc& arc, const TrimPlane& plane, const Eigen::Vector2d& place)
-{
-  const Point2 reach = kNear * unit_of(plane);
-  for (int i = 0; i < 2; ++i)
-  {
-    const auto [low, high] = std::minmax(arc.end[0][i], arc.end[1][i]);
-    if (!(place[i] >= low - reach[i] && place[i] <= high + reach[i]))
-    {
-      return false;
-    }
-  }
-  // As far along the arc as the place, in either coordinate, since an arc may turn back in one of them.
-  for (int i = 0; i < 2; ++i)
-  {
-    const bool ascending = arc.end[1][i] > arc.end[0][i];
-    const bool before = ascending ? place[i] <= arc.end[0][i] : place[i] >= arc.end[0][i];
-    const bool behind = ascending ? place[i] >= arc.end[1][i] : place[i] <= arc.end[1][i];
-    const Point2 at = before ? arc.end[0]
-      : behind               ? arc.end[1]
-                             : Point2(arc_jet(arc.arc, fraction_at(arc, i, place[i]), 0).col(0));
-    if ((at - place).cwiseQuotient(reach).norm() <= 1.0)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 } // namespace footpoint

@@ -4,7 +4,6 @@
 #include "footpoint/trims/chain_arc.h"
 #include "footpoint/trims/trim_plane.h"
 
-#include <functional>
 #include <vector>
 
 namespace footpoint
@@ -26,14 +25,5 @@ struct BoundaryPart
 /// end that several of them share. What is cut ends in the same numbers as what it meets.
 /// \param arcs monotone, shifted into the domain; those outside of it are not compared
 std::vector<BoundaryPart> cut_at_contacts(std::vector<ChainArc> arcs, const TrimPlane& plane);
-
-/// What a part bounds.
-/// \param winding number of a place (u, v), which may lie beyond a border of the domain by a few roundings
-/// \pre the part lies inside the domain
-ArcBounds bounds_of(const BoundaryPart& part, const TrimPlane& plane,
-  const std::function<int(const Eigen::Vector2d& place)>& winding);
-
-/// Whether an arc passes through a place, up to twice kContact. \pre monotone
-bool passes(const ChainArc& arc, const TrimPlane& plane, const Eigen::Vector2d& place);
 
 } // namespace footpoint
