@@ -16,9 +16,10 @@ namespace
 
 using Point2 = Eigen::Vector2d;
 
-/// Pairs of parts that are compared for two arcs, and for all of a region: about 20 ms and 0.5 s.
-constexpr int kStepsOfPair = 1 << 15;
-constexpr int kStepsOfRegion = 1 << 20;
+/// Pairs of parts that are compared for two arcs, and for all of a region: about 10 ms and half a
+/// second.
+constexpr int kStepsOfPair = 1 << 13;
+constexpr int kStepsOfRegion = 1 << 18;
 
 bool is_constant(const ChainArc& arc, int i)
 {
