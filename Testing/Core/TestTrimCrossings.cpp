@@ -286,6 +286,30 @@ TEST(TrimCrossings, StripsAsThinAsRounding)
   }
 }
 
+/// Lines over gaps of a few roundings have no sides of their own: they are edges where their neighbours
+/// are.
+TEST(TrimCrossings, GapsAsSmallAsRounding)
+{
+  for (const double gap : { 8e-15, 1.2e-14, 2e-14, 5e-14, 1e-12 })
+  {
+    SCOPED_TRACE(gap);
+    TrimLoop loop;
+    loop.curves = { trims::polyline({ { 0.1, 0.1 }, { 0.9 + gap, 0.1 } }),
+      trims::polyline({ { 0.9, 0.1 }, { 0.9, 0.8 - gap } }),
+      trims::polyline({ { 0.9 - gap, 0.8 }, { 0.1, 0.8 } }),
+      trims::polyline({ { 0.1, 0.8 }, { 0.1, 0.1 } }) };
+    const Face face = trimmed(trims::flat(), { loop });
+    EXPECT_EQ(boundary(face).undecided, 0);
+    const PointInverter inverter({ face });
+    for (const double v : { 0.1, 0.8 })
+    {
+      const Foot foot = inverter.find({ 0.95, v < 0.5 ? 0.05 : 0.85, 0 });
+      EXPECT_EQ(foot.status, Status::Certified);
+      EXPECT_NEAR((foot.point - Vector3(0.9, v, 0)).norm(), 0.0, 1e-12 + 2.0 * gap);
+    }
+  }
+}
+
 // === Random faces
 
 int number_from(const char* variable, int otherwise)

@@ -3,9 +3,11 @@
 
 #include "footpoint/trims/arc_cell.h"
 #include "footpoint/trims/arc_contacts.h"
+#include "footpoint/trims/arc_part.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace footpoint
 {
@@ -116,6 +118,54 @@ ArcBounds bounds_of(const BoundaryPart& part, const TrimPlane& plane,
     return left_kept ? edge : ArcBounds::Repeated; // by one that runs the other way
   }
   return left_kept ? ArcBounds::Inside : ArcBounds::Outside;
+}
+
+void settle_short_parts(std::vector<BoundaryPart>& parts, const TrimPlane& plane)
+{
+  const Point2 unit = contact_unit(plane);
+  const auto is_short = [&](const BoundaryPart& part)
+  {
+    return part.complete && part.arc.arc.inside_domain &&
+      part.arc.arc.bounds == ArcBounds::Undecided &&
+      (part.arc.end[1] - part.arc.end[0]).cwiseQuotient(unit).norm() <= kOnePlace;
+  };
+  for (std::size_t first = 0, end = 0; first < parts.size(); first = end)
+  {
+    while (end < parts.size() && parts[end].arc.arc.loop == parts[first].arc.arc.loop)
+    {
+      ++end;
+    }
+    const std::size_t count = end - first;
+    std::vector<std::size_t> found;
+    std::vector<ArcBounds> settled;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      if (!is_short(parts[first + k]))
+      {
+        continue;
+      }
+      // The nearest parts before and behind it that are known.
+      ArcBounds result = ArcBounds::Undecided;
+      for (const std::size_t step : { std::size_t(1), count - 1 })
+      {
+        std::size_t other = (k + step) % count;
+        while (other != k && is_short(parts[first + other]))
+        {
+          other = (other + step) % count;
+        }
+        const TrimArc& arc = parts[first + other].arc.arc;
+        const ArcBounds bounds = arc.inside_domain ? arc.bounds : ArcBounds::Outside;
+        const bool counts = bounds == ArcBounds::Face || result == ArcBounds::Undecided;
+        result = counts && bounds != ArcBounds::Undecided ? bounds : result;
+      }
+      found.push_back(first + k);
+      settled.push_back(result);
+    }
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      parts[found[k]].arc.arc.bounds = settled[k];
+    }
+  }
 }
 
 bool passes(const ChainArc& arc, const TrimPlane& plane, const Eigen::Vector2d& place)

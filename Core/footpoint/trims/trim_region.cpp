@@ -287,16 +287,21 @@ void TrimRegion::add_arcs(std::vector<ChainArc> arcs)
     return this->Index.winding(
       this->clamped(0, place[this->Swapped ? 1 : 0]), this->clamped(1, place[this->Swapped ? 0 : 1]));
   };
-  for (BoundaryPart& part : cut_at_contacts(std::move(arcs), plane))
+  std::vector<BoundaryPart> parts = cut_at_contacts(std::move(arcs), plane);
+  for (BoundaryPart& part : parts)
   {
     if (part.arc.arc.inside_domain)
     {
-      const ArcBounds bounds = bounds_of(part, plane, winding);
-      part.arc.arc.bounds = bounds;
-      if (part.overlapped && (bounds == ArcBounds::Inside || bounds == ArcBounds::Outside))
-      {
-        this->Passed.push_back({ part.arc, bounds == ArcBounds::Inside });
-      }
+      part.arc.arc.bounds = bounds_of(part, plane, winding);
+    }
+  }
+  settle_short_parts(parts, plane);
+  for (BoundaryPart& part : parts)
+  {
+    const ArcBounds bounds = part.arc.arc.bounds;
+    if (part.overlapped && (bounds == ArcBounds::Inside || bounds == ArcBounds::Outside))
+    {
+      this->Passed.push_back({ part.arc, bounds == ArcBounds::Inside });
     }
     this->Arcs.push_back(std::move(part.arc.arc));
   }
