@@ -230,7 +230,9 @@ Foot PointInverter::Implementation::nearest_certified(
   }
   this->put_best_first(feet);
   foot = this->finish(point, feet.front(), feet);
-  const bool is_of_face = this->is_known(feet.front().patch);
+  // Of feet that tie one is enough, as where an edge ends beside an arc that is undecided.
+  const bool is_of_face = std::any_of(feet.begin(), feet.end(),
+    [this](const Candidate& candidate) { return this->is_known(candidate.patch); });
   foot.status = is_certified && is_of_face ? Status::Certified : foot.status;
   return foot;
 }
