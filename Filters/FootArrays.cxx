@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FootArrays.h"
 
+#include "AlgorithmExecution.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,7 @@ FootArrays::FootArrays(const FootArrayLayout& layout, vtkIdType count)
 
 void FootArrays::write(vtkIdType first, const Foot* feet, vtkIdType count)
 {
-  vtkSMPTools::For(0, count, kGrain,
+  run_parallel(count, kGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType at = begin; at < end; at += kSlice)
