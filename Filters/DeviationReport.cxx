@@ -108,31 +108,35 @@ void write_face_table(
 
 DeviationReport::DeviationReport(const Model& model, vtkIdType count)
   : Geometry(model)
-  , Faces(model.size())
+  , Distances(model.size(), static_cast<std::size_t>(count))
 {
-  this->All.values.reserve(static_cast<std::size_t>(count));
 }
 
-void DeviationReport::write(
-  double tolerance, const std::string& prefix, std::int64_t open_edges, vtkFieldData* data,
-  vtkTable* table) const
+void DeviationReport::reduce(double tolerance, const Reduction& reduction)
 {
-  const DeviationStatistics all = this->All.statistics(tolerance);
-  write_statistics(all, prefix, data);
+  this->OfAll = this->Distances.of_all(tolerance, reduction);
+  // The feet of all points with a distance are on the only face.
+  this->OfFaces = this->Geometry.size() == 1 ? std::vector<DeviationStatistics>{ this->OfAll }
+                                             : this->Distances.of_faces(tolerance, reduction);
+}
+
+void DeviationReport::write_fields(
+  const std::string& prefix, std::int64_t open_edges, vtkFieldData* data) const
+{
+  write_statistics(this->OfAll, prefix, data);
   vtkNew<vtkIdTypeArray> edges;
   edges->SetName((prefix + "OpenEdges").c_str());
   edges->InsertNextValue(static_cast<vtkIdType>(open_edges));
   replace(data, edges);
-  std::vector<DeviationStatistics> of_faces{ all };
-  if (this->Faces.size() != 1)
+}
+
+void DeviationReport::write_table(bool rows, vtkTable* table) const
+{
+  write_face_table(this->OfFaces, this->Geometry, table);
+  if (!rows)
   {
-    of_faces.clear();
-    for (const Deviations& face : this->Faces)
-    {
-      of_faces.push_back(face.statistics(tolerance));
-    }
+    table->SetNumberOfRows(0);
   }
-  write_face_table(of_faces, this->Geometry, table);
 }
 
 } // namespace footpoint::conversion

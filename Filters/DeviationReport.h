@@ -17,7 +17,7 @@ class vtkTable;
 namespace footpoint::conversion
 {
 
-/// Statistics of the points that count, whose feet are given one by one.
+/// Statistics of the points that count, whose feet are given one by one; of all ranks together.
 class DeviationReport
 {
 public:
@@ -25,24 +25,24 @@ public:
   /// \param count points, at most
   DeviationReport(const Model& model, vtkIdType count);
 
-  void add(const Foot& foot)
-  {
-    this->All.add(foot);
-    if (this->Faces.size() > 1 && foot.face >= 0)
-    {
-      this->Faces[static_cast<std::size_t>(foot.face)].add(foot);
-    }
-  }
+  void add(const Foot& foot) { this->Distances.add(foot); }
+
+  /// Collective: puts the statistics of all ranks together, the same on each.
+  void reduce(double tolerance, const Reduction& reduction);
 
   /// Writes `DistanceCount` … `OutOfToleranceFraction` and `OpenEdges` with the prefix before their
-  /// names, and a row of the table for each face of the model.
-  void write(double tolerance, const std::string& prefix, std::int64_t open_edges,
-    vtkFieldData* data, vtkTable* table) const;
+  /// names.
+  void write_fields(const std::string& prefix, std::int64_t open_edges, vtkFieldData* data) const;
+
+  /// Writes a row for each face of the model or, so that ranks together have each row once, the
+  /// empty columns alone.
+  void write_table(bool rows, vtkTable* table) const;
 
 private:
   const Model& Geometry;
-  Deviations All;
-  std::vector<Deviations> Faces; ///< stay empty where one face has all feet
+  Deviations Distances;
+  DeviationStatistics OfAll;
+  std::vector<DeviationStatistics> OfFaces;
 };
 
 } // namespace footpoint::conversion

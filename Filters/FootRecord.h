@@ -33,7 +33,7 @@ public:
   /// Adds the arrays to output 0.
   void attach() const;
   void fill_foot_points(vtkPolyData* output) const;
-  const DeviationReport& report() const { return this->Report; }
+  DeviationReport& report() { return this->Report; }
 
 private:
   /// A row of output 1, or two, where there is a foot.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GeometryHash.h"
 
+#include "GeometryArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -35,13 +37,6 @@ std::uint64_t mix(std::uint64_t word)
   return word ^ (word >> 33);
 }
 
-/// The attribute where it is set, else the array of that name: what the conversion takes.
-vtkDataArray* attribute_or_array(vtkDataSetAttributes* data, int attribute, const char* name)
-{
-  vtkDataArray* array = data->GetAttribute(attribute);
-  return array ? array : data->GetArray(name);
-}
-
 void add_cells(ContentHash& hash, vtkCellArray* cells)
 {
   hash.add(cells ? cells->GetOffsetsArray() : nullptr);
@@ -50,9 +45,9 @@ void add_cells(ContentHash& hash, vtkCellArray* cells)
 
 void add_leaf(ContentHash& hash, vtkDataObject* leaf)
 {
-  for (const char* name : { "KnotsU", "KnotsV", "Degree", "FaceName", "Orientation", "Tolerance" })
+  for (const std::string& name : geometry_field_arrays())
   {
-    hash.add(leaf->GetFieldData() ? leaf->GetFieldData()->GetAbstractArray(name) : nullptr);
+    hash.add(leaf->GetFieldData() ? leaf->GetFieldData()->GetAbstractArray(name.c_str()) : nullptr);
   }
   auto* points = vtkPointSet::SafeDownCast(leaf);
   if (!points)
@@ -60,8 +55,10 @@ void add_leaf(ContentHash& hash, vtkDataObject* leaf)
     return;
   }
   hash.add(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
-  hash.add(attribute_or_array(
-    points->GetPointData(), vtkDataSetAttributes::RATIONALWEIGHTS, "RationalWeights"));
+  for (const std::string& name : geometry_point_arrays())
+  {
+    hash.add(find_geometry_array(points->GetPointData(), name));
+  }
   if (auto* net = vtkStructuredGrid::SafeDownCast(leaf))
   {
     hash.add_bytes(net->GetExtent(), 6 * sizeof(int));
@@ -75,10 +72,10 @@ void add_leaf(ContentHash& hash, vtkDataObject* leaf)
   {
     hash.add(cells->GetCellTypesArray());
     add_cells(hash, cells->GetCells());
-    hash.add(attribute_or_array(
-      cells->GetCellData(), vtkDataSetAttributes::HIGHERORDERDEGREES, "HigherOrderDegrees"));
-    hash.add(cells->GetCellData()->GetAbstractArray("ParameterRange"));
-    hash.add(cells->GetCellData()->GetAbstractArray("FaceId"));
+    for (const std::string& name : geometry_cell_arrays())
+    {
+      hash.add(find_geometry_array(cells->GetCellData(), name));
+    }
   }
 }
 

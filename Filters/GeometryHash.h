@@ -28,6 +28,8 @@ public:
   /// Everything of a data object that convert_to_model reads, never modification times.
   void add(vtkDataObject* geometry);
 
+  /// \param number 0 or 1: each half of the bits
+  std::uint64_t word(int number) const { return number == 0 ? this->A : this->B; }
   bool operator==(const ContentHash& other) const
   {
     return this->A == other.A && this->B == other.B;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ParametricFunctionGeometry.h"
 
+#include "GeometryHash.h"
+
 #include "footpoint/common/errors.h"
 
 #include "vtkParametricFunction.h"
@@ -232,6 +234,34 @@ Model convert_parametric_function(vtkParametricFunction* function, bool flip)
   }
   face.patches.push_back(std::move(patch));
   return { std::move(face) };
+}
+
+void add_function_values(ContentHash& hash, vtkParametricFunction* function)
+{
+  constexpr int kSamples = 5; // in each direction
+  hash.add(std::string(function->GetClassName()));
+  const double low[] = { function->GetMinimumU(), function->GetMinimumV() };
+  const double high[] = { function->GetMaximumU(), function->GetMaximumV() };
+  for (int j = 0; j < (function->GetDimension() > 1 ? kSamples : 1); ++j)
+  {
+    for (int i = 0; i < kSamples; ++i)
+    {
+      const double places[] = { i / (kSamples - 1.0), j / (kSamples - 1.0) };
+      double parameters[] = { 0.0, 0.0, 0.0 };
+      for (int d = 0; d < 2; ++d)
+      {
+        parameters[d] = low[d] + places[d] * (high[d] - low[d]);
+        hash.add(parameters[d]);
+      }
+      double point[3] = { 0.0, 0.0, 0.0 };
+      double derivatives[9] = { 0.0 };
+      function->Evaluate(parameters, point, derivatives);
+      for (const double coordinate : point)
+      {
+        hash.add(coordinate);
+      }
+    }
+  }
 }
 
 } // namespace footpoint::conversion

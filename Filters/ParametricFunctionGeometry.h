@@ -13,6 +13,8 @@ class vtkParametricFunction;
 namespace footpoint::conversion
 {
 
+class ContentHash;
+
 /// A parametric curve (N = 1) or surface (N = 2) of VTK.
 ///
 /// Derivatives come from differences over five points, always inside the domain, because several
@@ -38,6 +40,10 @@ private:
 /// A model of one face.
 /// \throw GeometryError for a function of three parameters or with a bad domain
 Model convert_parametric_function(vtkParametricFunction* function, bool flip);
+
+/// Adds the function's class, its domain and its points at some parameters, by which functions of
+/// different processes are compared.
+void add_function_values(ContentHash& hash, vtkParametricFunction* function);
 
 } // namespace footpoint::conversion
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointInversionFilter.h"
 
-#include "AlgorithmExecution.h"
-#include "CachedInverter.h"
-#include "FootRecord.h"
-
-#include "footpoint/common/errors.h"
-#include "footpoint/model/point_inversion.h"
+#include "PointInversionInternals.h"
 
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkParametricFunction.h"
 #include "vtkPointData.h"
@@ -20,8 +16,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include <optional>
 
 using namespace footpoint::conversion;
 
@@ -42,31 +37,14 @@ static_assert(static_cast<int>(footpoint::Search::Local) == vtkPointInversionFil
     static_cast<int>(footpoint::FootType::Degenerate) == vtkPointInversionFilter::DEGENERATE,
   "enumerations of the filter and of the core must have the same numbers");
 
-/// VTK_DOUBLE_MAX stands for infinity in options, as a number that survives text.
-double limit(double value)
-{
-  return value >= VTK_DOUBLE_MAX ? std::numeric_limits<double>::infinity() : value;
-}
-
 } // namespace
-
-struct vtkPointInversionFilter::Internals
-{
-  CachedInverter Inverter;
-
-  /// Names the first option that is no usable number or does not go with another; else empty.
-  static std::string InvalidOption(vtkPointInversionFilter* self);
-  static footpoint::InversionOptions Options(vtkPointInversionFilter* self);
-  static FootArrayLayout Layout(vtkPointInversionFilter* self, const footpoint::Model& model);
-  /// False where the user has stopped it.
-  bool Invert(vtkPointInversionFilter* self, const PointBlocks& points, FootRecord& record) const;
-};
 
 vtkPointInversionFilter::vtkPointInversionFilter()
   : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 
   const footpoint::InversionOptions options;
   this->Search = static_cast<int>(options.search);
@@ -90,9 +68,11 @@ vtkPointInversionFilter::vtkPointInversionFilter()
 vtkPointInversionFilter::~vtkPointInversionFilter()
 {
   this->SetParametricFunction(nullptr);
+  this->SetController(nullptr);
 }
 
 vtkCxxSetObjectMacro(vtkPointInversionFilter, ParametricFunction, vtkParametricFunction);
+vtkCxxSetObjectMacro(vtkPointInversionFilter, Controller, vtkMultiProcessController);
 
 void vtkPointInversionFilter::SetSourceConnection(vtkAlgorithmOutput* algorithmOutput)
 {
@@ -181,183 +161,76 @@ int vtkPointInversionFilter::RequestUpdateExtent(
   return 1;
 }
 
-footpoint::InversionOptions vtkPointInversionFilter::Internals::Options(
-  vtkPointInversionFilter* self)
-{
-  footpoint::InversionOptions options;
-  options.search = static_cast<footpoint::Search>(self->Search);
-  options.solver.method = static_cast<footpoint::Method>(self->Method);
-  options.solver.point_tolerance = self->PointTolerance;
-  options.solver.cosine_tolerance = self->CosineTolerance;
-  options.solver.step_tolerance = self->StepTolerance;
-  options.solver.maximum_iterations = self->MaximumIterations;
-  options.solver.trust_radius = self->TrustRadius;
-  options.solver.column_scaling = self->ColumnScaling;
-  options.solver.isocurve_fallback = self->IsocurveFallback;
-  options.seeding.resolution = self->SeedResolution;
-  options.seeding.number_of_seeds = self->NumberOfSeeds;
-  options.certificate_tolerance = self->CertificateTolerance;
-  options.maximum_distance = limit(self->MaximumDistance);
-  options.orthogonal_only = self->OrthogonalOnly;
-  options.all_feet = self->AllFeet;
-  options.fixed_direction = footpoint::Vector3(self->FixedDirection);
-  return options;
-}
-
-std::string vtkPointInversionFilter::Internals::InvalidOption(vtkPointInversionFilter* self)
-{
-  const std::pair<const char*, double> numbers[] = { { "PointTolerance", self->PointTolerance },
-    { "CosineTolerance", self->CosineTolerance }, { "StepTolerance", self->StepTolerance },
-    { "CertificateTolerance", self->CertificateTolerance }, { "TrustRadius", self->TrustRadius },
-    { "MaximumDistance", self->MaximumDistance },
-    { "DeviationTolerance", self->DeviationTolerance },
-    { "FixedDirection[0]", self->FixedDirection[0] },
-    { "FixedDirection[1]", self->FixedDirection[1] },
-    { "FixedDirection[2]", self->FixedDirection[2] } };
-  for (const auto& [name, value] : numbers)
-  {
-    if (!std::isfinite(value))
-    {
-      return std::string(name) + " is not finite.";
-    }
-  }
-  const bool directed = !footpoint::Vector3(self->FixedDirection).isZero(0.0);
-  if (self->WarmStart && (self->AllFeet || directed))
-  {
-    return "WarmStart does not go together with AllFeet or FixedDirection.";
-  }
-  if (directed && (self->AllFeet || self->OrthogonalOnly))
-  {
-    return "FixedDirection, which seeks where a line meets the geometry, does not go together with "
-           "AllFeet or OrthogonalOnly.";
-  }
-  return "";
-}
-
-bool vtkPointInversionFilter::Internals::Invert(
-  vtkPointInversionFilter* self, const PointBlocks& points, FootRecord& record) const
-{
-  const footpoint::PointInverter& inverter = this->Inverter.inverter();
-  if (!self->WarmStart)
-  {
-    bool cancelled = false;
-    footpoint::invert(inverter, points.queries, points.starts, make_execution(self),
-      [&](std::int64_t first, const footpoint::InversionResult& part)
-      {
-        record.take(first, part);
-        cancelled = part.cancelled;
-      });
-    return !cancelled;
-  }
-  const double total = std::max(static_cast<double>(points.queries.cols()), 1.0);
-  double done = 0.0;
-  for (const Block& block : points.blocks)
-  {
-    const double share = static_cast<double>(block.count) / total;
-    const footpoint::InversionResult feet = footpoint::invert_sequence(inverter,
-      points.queries.middleCols(block.first, block.count), make_execution(self, done, share));
-    if (feet.cancelled)
-    {
-      return false;
-    }
-    record.take(block.first, feet);
-    done += share;
-  }
-  return true;
-}
-
-FootArrayLayout vtkPointInversionFilter::Internals::Layout(
-  vtkPointInversionFilter* self, const footpoint::Model& model)
-{
-  FootArrayLayout layout;
-  describe_model(model, layout);
-  layout.prefix = self->ArrayNamePrefix;
-  layout.parameters = self->GenerateParameters;
-  layout.distance = self->GenerateDistance;
-  layout.signed_distance = self->GenerateSignedDistance;
-  layout.closest_point = self->GenerateClosestPoint;
-  layout.normal = self->GenerateNormal;
-  layout.tangent = self->GenerateTangent;
-  layout.face_id = self->GenerateFaceId;
-  layout.status = self->GenerateStatus;
-  layout.foot_type = self->GenerateFootType;
-  layout.isolated = self->GenerateIsolated;
-  layout.iterations = self->GenerateIterations;
-  return layout;
-}
-
 int vtkPointInversionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // === Validate
+  // Every rank comes to each collective call, whatever it has and whatever fails.
+  const Ranks ranks(this->Controller);
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputs, 0);
-  const SourceGeometry geometry{ vtkDataObject::GetData(inputs[1]), this->ParametricFunction,
-    this->FlipNormals };
-  if (!input || !output)
-  {
-    vtkErrorMacro("No input points.");
-    return 0;
-  }
-  if (!geometry.exists())
-  {
-    vtkErrorMacro("No geometry: neither a source (port 1) nor a parametric function is set.");
-    return 0;
-  }
-  const std::string invalid = Internals::InvalidOption(this);
-  if (!invalid.empty())
-  {
-    vtkErrorMacro(<< invalid);
-    return 0;
-  }
+
+  // === Validate
+  std::string error = ranks.first_error(Internals::InvalidInput(this, input, output));
 
   // === Convert
-  try
+  if (error.empty())
   {
-    this->Internal->Inverter.update(geometry, Internals::Options(this));
+    const SourceGeometry geometry{ vtkDataObject::GetData(inputs[1]), this->ParametricFunction,
+      this->FlipNormals };
+    error = ranks.first_error(this->Internal->Prepare(this, geometry, ranks));
   }
-  catch (const footpoint::GeometryError& error)
+  if (!error.empty())
   {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  catch (const std::invalid_argument&)
-  {
-    vtkErrorMacro("Method " << this->GetMethodAsString()
-                            << " is for curves alone, but the geometry has surfaces.");
+    vtkErrorMacro(<< error);
     return 0;
   }
   for (const std::string& problem : this->Internal->Inverter.problems())
   {
     vtkWarningMacro(<< problem << " (left out)");
   }
-  const footpoint::Model& model = this->Internal->Inverter.inverter().model();
-  const FootArrayLayout layout = Internals::Layout(this, model);
-  const PointBlocks points = collect_points(input, output);
-  if (points.skipped > 0)
-  {
-    vtkWarningMacro(<< points.skipped << " blocks of the input have no points and are passed on.");
-  }
+  const footpoint::PointInverter& inverter = this->Internal->Inverter.inverter();
+  const FootArrayLayout layout = Internals::Layout(this, inverter.model());
 
   // === Compute
-  const bool several =
-    this->AllFeet || !this->Internal->Inverter.inverter().options().fixed_direction.isZero();
-  FootRecord record(points, layout, model, several, this->FootSegments);
-  if (!this->Internal->Invert(this, points, record))
+  CancelSignal cancel(this->Controller);
+  std::optional<PointBlocks> points;
+  std::optional<FootRecord> record;
+  const auto compute = [&]
+  {
+    points.emplace(collect_points(input, output));
+    const bool several = this->AllFeet || !inverter.options().fixed_direction.isZero();
+    record.emplace(*points, layout, inverter.model(), several, this->FootSegments);
+    this->Internal->Invert(this, *points, cancel, *record);
+  };
+  error = Internals::ErrorOf(compute);
+  cancel.requested(!error.empty()); // so that the others stop soon
+  const bool cancelled = cancel.settle(ranks);
+  error = ranks.first_error(error);
+  if (cancelled || !error.empty())
   {
     for (int port = 0; port < 3; ++port)
     {
       vtkDataObject::GetData(outputs, port)->Initialize();
     }
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+      return 0;
+    }
     return 1;
+  }
+  if (points->skipped > 0)
+  {
+    vtkWarningMacro(<< points->skipped << " blocks of the input have no points and are passed on.");
   }
 
   // === Attach
-  record.attach();
-  record.fill_foot_points(vtkPolyData::GetData(outputs, 1));
-  record.report().write(limit(this->DeviationTolerance), layout.prefix,
-    this->Internal->Inverter.inverter().number_of_open_edges(), output->GetFieldData(),
-    vtkTable::GetData(outputs, 2));
+  DeviationReport& report = record->report();
+  report.reduce(Internals::Limit(this->DeviationTolerance), ranks.reduction());
+  record->attach();
+  record->fill_foot_points(vtkPolyData::GetData(outputs, 1));
+  report.write_fields(layout.prefix, inverter.number_of_open_edges(), output->GetFieldData());
+  report.write_table(ranks.rank() == 0, vtkTable::GetData(outputs, 2));
   return 1;
 }
 
@@ -366,6 +239,7 @@ void vtkPointInversionFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto flag = [&](const char* name, bool value)
   { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ParametricFunction: " << this->ParametricFunction << "\n";
   os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "Method: " << this->GetMethodAsString() << "\n";

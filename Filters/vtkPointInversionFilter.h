@@ -54,7 +54,7 @@
  * The input's active normals stay what they are.
  *
  * The output's field data receives statistics of SignedDistance (Distance on models of curves)
- * over all blocks together, without ghost and hidden points: `DistanceCount`, `DistanceMinimum`,
+ * over all blocks and ranks together, without ghost and hidden points: `DistanceCount`, `DistanceMinimum`,
  * `DistanceMaximum`, `DistanceMean`, `DistanceRMS`, `DistanceStandardDeviation`,
  * `DistancePercentile95` (of the absolute distance, nearest rank), `StatusCounts` (6 values) and
  * `OutOfToleranceFraction` (see SetDeviationTolerance()). `OpenEdges` is the number of borders of
@@ -77,7 +77,24 @@
  * starting parameters (not for the nearest point of Search GLOBAL, which needs none), on the face
  * in the point array `SeedFaceId` where that exists and is not negative; NaN or missing values mean
  * automatic starts. Otherwise results depend neither on the order of points nor on the number of
- * threads, bit for bit; see SetWarmStart().
+ * threads and ranks, bit for bit; see SetWarmStart().
+ *
+ * **Threads**: those of vtkSMPTools. Where neither a back end nor a number of threads was chosen, by
+ * the program or by VTK_SMP_BACKEND_IN_USE and VTK_SMP_MAX_THREADS, a single process uses all cores
+ * also where VTK is sequential by default, and several on a machine share its cores out.
+ *
+ * **Ranks** (see SetController()): points are distributed, each rank inverts its own; the geometry is
+ * the same for all. Where not all ranks have the same source, which they compare by content, the
+ * parts are sent to all and put together: an empty or missing source or block gives way to that of
+ * another rank, parts of one control net (equal field data, another extent) become the net again,
+ * Bézier cells of all ranks follow each other, and what else differs stands side by side in the order
+ * of the ranks, which numbers the faces. Statistics are those of the points of all ranks: on every
+ * rank in the field data, on rank 0 in the table, whose columns are empty on the others. The bits of
+ * all results are the same for any number of ranks; points that several ranks have, as at the borders
+ * of pieces without ghost marks, count several times in statistics. An error on one rank is an error
+ * on all, and an abort ends all. As with every VTK filter that communicates, all ranks have to update
+ * it, with data or without, and all or none have to have something new (else call Modified() on all):
+ * where VTK does not run it on one, or its input failed there, the others wait.
  *
  * Bad geometry is an error that names the array, the index and the value; the outputs are empty.
  * Where a model has good faces besides, there is a warning instead, the bad face is left out (its
@@ -96,6 +113,7 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkMultiProcessController;
 class vtkParametricFunction;
 class vtkPolyData;
 class vtkTable;
@@ -166,6 +184,15 @@ public:
    */
   virtual void SetParametricFunction(vtkParametricFunction* function);
   vtkGetObjectMacro(ParametricFunction, vtkParametricFunction);
+  ///@}
+
+  ///@{
+  /**
+   * The ranks that run this filter together, see above; null: this one alone. Set the same on all.
+   * Default: the global controller of the time when the filter was made.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
   ///@{
@@ -461,6 +488,7 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  vtkMultiProcessController* Controller = nullptr;
   vtkParametricFunction* ParametricFunction = nullptr;
   int Search;
   int Method;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSplineEvaluator.h"
 
-#include "SourceGeometry.h"
+#include "AlgorithmExecution.h"
+#include "FieldArrays.h"
+#include "Ranks.h"
+#include "ReplicatedGeometry.h"
 
 #include "footpoint/model/evaluation.h"
 
@@ -15,17 +18,18 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkParametricFunction.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 using namespace footpoint::conversion;
 
@@ -67,23 +71,92 @@ const footpoint::Face* find_face(const footpoint::Model& model, double id)
   return face.patches.empty() ? nullptr : &face;
 }
 
+/// The rows of the input: points of a data set, or rows of a table.
+struct Rows
+{
+  vtkDataSetAttributes* attributes = nullptr;
+  vtkIdType count = 0;
+  vtkDataArray* parameters = nullptr;
+  vtkDataArray* faces = nullptr; ///< null: all rows lie on the only face
+};
+
+/// \throw std::invalid_argument where there are rows without parameters
+Rows find_rows(vtkDataObject* input, const std::string& parameters, const std::string& faces)
+{
+  auto* points = vtkDataSet::SafeDownCast(input);
+  auto* table = vtkTable::SafeDownCast(input);
+  if (!points && !table)
+  {
+    throw std::invalid_argument("No input parameters.");
+  }
+  Rows rows;
+  rows.attributes =
+    points ? static_cast<vtkDataSetAttributes*>(points->GetPointData()) : table->GetRowData();
+  rows.count = points ? points->GetNumberOfPoints() : table->GetNumberOfRows();
+  rows.parameters = rows.attributes->GetArray(parameters.c_str());
+  rows.faces = rows.attributes->GetArray(faces.c_str());
+  if (rows.count > 0 && !rows.parameters)
+  {
+    throw std::invalid_argument("The input has no array '" + parameters + "' of numbers.");
+  }
+  return rows;
+}
+
+/// \throw std::invalid_argument where there is no face, with a line for each problem
+ConvertedModel convert(const SourceGeometry& geometry)
+{
+  if (!geometry.exists())
+  {
+    throw std::invalid_argument(
+      "No geometry: neither a source (port 1) nor a parametric function is set.");
+  }
+  ConvertedModel converted = geometry.convert();
+  if (converted.empty())
+  {
+    std::string message;
+    for (const std::string& problem : converted.messages())
+    {
+      message += (message.empty() ? "" : "\n") + problem;
+    }
+    throw std::invalid_argument(message.empty() ? "The source has no faces." : message);
+  }
+  return converted;
+}
+
+/// \throw std::invalid_argument where the rows do not say enough for the geometry
+void check_rows(const Rows& rows, const footpoint::Model& model, const std::string& parameters,
+  const std::string& faces)
+{
+  if (rows.count > 0 && !rows.faces && !only_face(model))
+  {
+    throw std::invalid_argument("The geometry has several faces, and the input has no array '" +
+      faces + "' to tell on which one a parameter is.");
+  }
+  const bool surfaces = std::any_of(model.begin(), model.end(),
+    [](const footpoint::Face& face) { return !face.patches.empty() && !is_curve(face); });
+  if (rows.count > 0 && surfaces && rows.parameters->GetNumberOfComponents() < 2)
+  {
+    throw std::invalid_argument("The array '" + parameters + "' has 1 component; surfaces need 2.");
+  }
+}
+
 /// Rows with finite parameters on a face that exists.
-/// \param faces null: all rows lie on `only`
-std::vector<Request> collect_requests(const footpoint::Model& model, vtkDataArray* parameters,
-  vtkDataArray* faces, const footpoint::Face* only, vtkIdType rows)
+std::vector<Request> collect_requests(const footpoint::Model& model, const Rows& rows)
 {
   std::vector<Request> requests;
-  for (vtkIdType row = 0; row < rows; ++row)
+  const footpoint::Face* const only = only_face(model);
+  for (vtkIdType row = 0; row < rows.count; ++row)
   {
-    const footpoint::Face* face = faces ? find_face(model, faces->GetComponent(row, 0)) : only;
+    const footpoint::Face* face =
+      rows.faces ? find_face(model, rows.faces->GetComponent(row, 0)) : only;
     if (!face)
     {
       continue;
     }
-    footpoint::Parameter<2> parameter(parameters->GetComponent(row, 0), 0.0);
+    footpoint::Parameter<2> parameter(rows.parameters->GetComponent(row, 0), 0.0);
     if (!is_curve(*face))
     {
-      parameter[1] = parameters->GetComponent(row, 1);
+      parameter[1] = rows.parameters->GetComponent(row, 1);
     }
     if (parameter.allFinite())
     {
@@ -170,17 +243,26 @@ void fill_output(const std::vector<Request>& requests,
 
 } // namespace
 
+struct vtkSplineEvaluator::Internals
+{
+  ReplicatedGeometry Geometry;
+};
+
 vtkSplineEvaluator::vtkSplineEvaluator()
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkSplineEvaluator::~vtkSplineEvaluator()
 {
   this->SetParametricFunction(nullptr);
+  this->SetController(nullptr);
 }
 
 vtkCxxSetObjectMacro(vtkSplineEvaluator, ParametricFunction, vtkParametricFunction);
+vtkCxxSetObjectMacro(vtkSplineEvaluator, Controller, vtkMultiProcessController);
 
 void vtkSplineEvaluator::SetSourceConnection(vtkAlgorithmOutput* algorithmOutput)
 {
@@ -226,79 +308,46 @@ int vtkSplineEvaluator::RequestUpdateExtent(
 int vtkSplineEvaluator::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // === Validate
+  // Every rank comes to each collective call, whatever it has and whatever fails.
+  const Ranks ranks(this->Controller);
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const SourceGeometry geometry{ vtkDataObject::GetData(inputs[1]), this->ParametricFunction,
-    this->FlipNormals };
-  auto* points = vtkDataSet::SafeDownCast(input);
-  auto* table = vtkTable::SafeDownCast(input);
-  if (!output || (!points && !table))
-  {
-    vtkErrorMacro("No input parameters.");
-    return 0;
-  }
-  if (!geometry.exists())
-  {
-    vtkErrorMacro("No geometry: neither a source (port 1) nor a parametric function is set.");
-    return 0;
-  }
-  vtkDataSetAttributes* attributes =
-    points ? static_cast<vtkDataSetAttributes*>(points->GetPointData()) : table->GetRowData();
-  const vtkIdType rows = points ? points->GetNumberOfPoints() : table->GetNumberOfRows();
-  vtkDataArray* parameters = attributes->GetArray(this->ParametersArrayName.c_str());
-  vtkDataArray* faces = attributes->GetArray(this->FaceIdArrayName.c_str());
-  if (rows > 0 && !parameters)
-  {
-    vtkErrorMacro("The input has no array '" << this->ParametersArrayName << "' of numbers.");
-    return 0;
-  }
 
-  // === Convert
-  const ConvertedModel converted = geometry.convert();
+  // === Validate and convert
+  std::string error;
+  Rows rows;
+  ConvertedModel converted;
+  try
+  {
+    const SourceGeometry geometry = this->Internal->Geometry.update(
+      { vtkDataObject::GetData(inputs[1]), this->ParametricFunction, this->FlipNormals }, ranks);
+    rows = find_rows(input, this->ParametersArrayName, this->FaceIdArrayName);
+    converted = convert(geometry);
+    check_rows(rows, converted.model, this->ParametersArrayName, this->FaceIdArrayName);
+  }
+  catch (const std::exception& problem)
+  {
+    error = problem.what();
+  }
+  error = ranks.first_error(error);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
   const footpoint::Model& model = converted.model;
   for (const std::string& problem : converted.messages())
   {
-    if (converted.empty())
-    {
-      vtkErrorMacro(<< problem);
-    }
-    else
-    {
-      vtkWarningMacro(<< problem << " (left out)");
-    }
-  }
-  if (converted.empty())
-  {
-    if (converted.problems.empty())
-    {
-      vtkErrorMacro("The source has no faces.");
-    }
-    return 0;
-  }
-  const footpoint::Face* only = only_face(model);
-  if (rows > 0 && !faces && !only)
-  {
-    vtkErrorMacro("The geometry has several faces, and the input has no array '"
-      << this->FaceIdArrayName << "' to tell on which one a parameter is.");
-    return 0;
-  }
-  const bool surfaces = std::any_of(model.begin(), model.end(),
-    [](const footpoint::Face& face) { return !face.patches.empty() && !is_curve(face); });
-  if (rows > 0 && surfaces && parameters->GetNumberOfComponents() < 2)
-  {
-    vtkErrorMacro(
-      "The array '" << this->ParametersArrayName << "' has 1 component; surfaces need 2.");
-    return 0;
+    vtkWarningMacro(<< problem << " (left out)");
   }
 
   // === Compute
-  const std::vector<Request> requests = collect_requests(model, parameters, faces, only, rows);
+  const std::vector<Request> requests = collect_requests(model, rows);
   std::vector<footpoint::Evaluation> evaluations(requests.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(requests.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  run_parallel(static_cast<std::int64_t>(requests.size()), 0,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (std::int64_t i = begin; i < end; ++i)
       {
         const auto at = static_cast<std::size_t>(i);
         evaluations[at] = footpoint::evaluate(*requests[at].face, requests[at].parameter);
@@ -306,18 +355,18 @@ int vtkSplineEvaluator::RequestData(
     });
 
   // === Attach
-  fill_output(requests, evaluations, model, attributes, output);
+  fill_output(requests, evaluations, model, rows.attributes, output);
   output->GetFieldData()->PassData(input->GetFieldData());
-  vtkNew<vtkIdTypeArray> skipped;
-  skipped->SetName("NumberOfSkippedPoints");
-  skipped->InsertNextValue(rows - static_cast<vtkIdType>(requests.size()));
-  output->GetFieldData()->AddArray(skipped);
+  std::vector<std::int64_t> skipped{ rows.count - static_cast<std::int64_t>(requests.size()) };
+  ranks.reduction().sum(skipped);
+  set_count(output->GetFieldData(), "NumberOfSkippedPoints", static_cast<vtkIdType>(skipped[0]));
   return 1;
 }
 
 void vtkSplineEvaluator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ParametricFunction: " << this->ParametricFunction << "\n";
   os << indent << "ParametersArrayName: " << this->ParametersArrayName << "\n";
   os << indent << "FaceIdArrayName: " << this->FaceIdArrayName << "\n";

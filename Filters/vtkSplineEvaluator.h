@@ -27,7 +27,7 @@
  *
  * Parameters outside the domain are wrapped in closed directions and clamped in open ones. Rows
  * with a NaN or infinite parameter, or a `FaceId` that is no face, make no output point, as no
- * position would be right; the field data `NumberOfSkippedPoints` says how many.
+ * position would be right; the field data `NumberOfSkippedPoints` says how many, of all ranks together.
  *
  * @sa
  * vtkPointInversionFilter
@@ -39,8 +39,10 @@
 #include "vtkFootpointFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkMultiProcessController;
 class vtkParametricFunction;
 
 class VTKFOOTPOINTFILTERS_EXPORT vtkSplineEvaluator : public vtkPolyDataAlgorithm
@@ -65,6 +67,16 @@ public:
    */
   virtual void SetParametricFunction(vtkParametricFunction* function);
   vtkGetObjectMacro(ParametricFunction, vtkParametricFunction);
+  ///@}
+
+  ///@{
+  /**
+   * The ranks that run this filter together; null: this one alone. As in vtkPointInversionFilter, each
+   * evaluates its own rows on the geometry of all. Default: the global controller of the time when the
+   * filter was made.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
   ///@{
@@ -107,6 +119,7 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  vtkMultiProcessController* Controller = nullptr;
   vtkParametricFunction* ParametricFunction = nullptr;
   std::string ParametersArrayName = "Parameters";
   std::string FaceIdArrayName = "FaceId";
@@ -115,6 +128,9 @@ protected:
 private:
   vtkSplineEvaluator(const vtkSplineEvaluator&) = delete;
   void operator=(const vtkSplineEvaluator&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

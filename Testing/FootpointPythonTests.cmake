@@ -2,6 +2,10 @@
 if (FOOTPOINT_USE_PARAVIEW)
   find_program(FOOTPOINT_PVPYTHON pvpython
     HINTS "${ParaView_PREFIX_PATH}/bin" NO_DEFAULT_PATH REQUIRED)
+  find_program(FOOTPOINT_PVBATCH pvbatch
+    HINTS "${ParaView_PREFIX_PATH}/bin" NO_DEFAULT_PATH REQUIRED)
+  find_program(FOOTPOINT_PVSERVER pvserver
+    HINTS "${ParaView_PREFIX_PATH}/bin" NO_DEFAULT_PATH REQUIRED)
   set(footpoint_python "${FOOTPOINT_PVPYTHON}")
 else ()
   set(footpoint_python "${Python3_EXECUTABLE}")

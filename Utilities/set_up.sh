@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs what one flavour of the build needs on Debian 12 (bookworm):
 #
-#   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, Open CASCADE, VTK 9.1, Xvfb
+#   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, Open CASCADE, VTK 9.1, Open MPI, Xvfb
 #   Utilities/set_up.sh paraview    the same tools, and ParaView 5.11 in a private folder, with what
 #                                   its help pages and the tests of its window need
 #   Utilities/set_up.sh benchmarks  as vtk, and what Testing/Benchmarks needs and compares with
@@ -16,7 +16,8 @@ set -euo pipefail
 
 paraview_root=${FOOTPOINT_PARAVIEW_ROOT:-${XDG_CACHE_HOME:-$HOME/.cache}/footpoint/paraview-5.11}
 
-tools=(cmake ninja-build g++ libeigen3-dev libgtest-dev libhwy-dev python3-numpy xvfb xauth libgl1-mesa-dri)
+tools=(cmake ninja-build g++ libeigen3-dev libgtest-dev libhwy-dev openmpi-bin python3-numpy xvfb xauth
+  libgl1-mesa-dri)
 # CAD files: brings all of Open CASCADE's development packages; and the parts of demo.sh.
 cad=(libocct-data-exchange-dev zlib1g-dev occt-misc)
 vtk=(libvtk9-dev python3-vtk9)

@@ -8,6 +8,8 @@ set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonComputationalGeometry ParallelCore
   IOCore IOXMLParser expat jsoncpp vtksys
   Python WrappingPythonCore)
+# Ranks tell each other at once to stop; without MPI there is one rank anyway.
+set(vtk_optional_components ParallelMPI)
 if (BUILD_TESTING)
   list(APPEND vtk_components
     FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources ImagingCore
@@ -24,9 +26,12 @@ if (FOOTPOINT_USE_PARAVIEW)
   unset(CMAKE_WARN_DEPRECATED)
   find_package(VTK REQUIRED
     COMPONENTS ${vtk_components}
+    OPTIONAL_COMPONENTS ${vtk_optional_components}
     PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
 else ()
-  find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_components})
+  find_package(VTK 9.1 REQUIRED
+    COMPONENTS ${vtk_components}
+    OPTIONAL_COMPONENTS ${vtk_optional_components})
 endif ()
 message(STATUS "Footpoint: VTK ${VTK_VERSION} from ${VTK_DIR}, SMP ${VTK_SMP_BACKENDS}")
 
@@ -96,5 +101,8 @@ endif ()
 
 # What FootpointConfig.cmake has to find: the VTK modules ours link to, also privately.
 list(FILTER footpoint_required_modules INCLUDE REGEX "^VTK::")
+if (TARGET VTK::ParallelMPI)
+  list(APPEND footpoint_required_modules VTK::ParallelMPI)
+endif ()
 list(TRANSFORM footpoint_required_modules REPLACE "^VTK::" "")
 list(JOIN footpoint_required_modules " " footpoint_vtk_components)

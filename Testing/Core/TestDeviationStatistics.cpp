@@ -4,9 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <condition_variable>
+#include <mutex>
+#include <random>
+#include <thread>
+
 using footpoint::deviation_statistics;
+using footpoint::Deviations;
 using footpoint::DeviationStatistics;
 using footpoint::Foot;
+using footpoint::Reduction;
 using footpoint::Status;
 
 namespace
@@ -19,6 +26,81 @@ Foot foot_at(double signed_distance)
   foot.distance = std::abs(signed_distance);
   foot.signed_distance = signed_distance;
   return foot;
+}
+
+/// Stands in for message passing: threads that meet, and leave when all have brought their numbers.
+class Meeting
+{
+public:
+  explicit Meeting(int members)
+    : Members(members)
+  {
+  }
+
+  Reduction reduction()
+  {
+    Reduction result;
+    result.sum = [this](std::vector<std::int64_t>& numbers)
+    { this->meet(numbers, this->Sums, [](std::int64_t a, std::int64_t b) { return a + b; }); };
+    result.maximum = [this](std::vector<double>& numbers)
+    { this->meet(numbers, this->Maxima, [](double a, double b) { return std::max(a, b); }); };
+    return result;
+  }
+
+private:
+  template <class Number, class Combine>
+  void meet(std::vector<Number>& numbers, std::vector<Number>& common, const Combine& combine)
+  {
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    if (this->Here == 0)
+    {
+      common = numbers;
+    }
+    else
+    {
+      std::transform(common.begin(), common.end(), numbers.begin(), common.begin(), combine);
+    }
+    ++this->Here;
+    this->wait_for_all(lock);
+    numbers = common;
+    --this->Here;
+    this->wait_for_all(lock); // before the next numbers come in
+  }
+
+  void wait_for_all(std::unique_lock<std::mutex>& lock)
+  {
+    const int turn = this->Turn;
+    if (++this->Waiting == this->Members)
+    {
+      this->Waiting = 0;
+      ++this->Turn;
+      this->Change.notify_all();
+    }
+    this->Change.wait(lock, [&] { return this->Turn != turn; });
+  }
+
+  const int Members;
+  int Here = 0;
+  int Waiting = 0;
+  int Turn = 0;
+  std::vector<std::int64_t> Sums;
+  std::vector<double> Maxima;
+  std::mutex Mutex;
+  std::condition_variable Change;
+};
+
+void expect_same_bits(const DeviationStatistics& a, const DeviationStatistics& b)
+{
+  EXPECT_EQ(a.count, b.count);
+  EXPECT_EQ(a.status_counts, b.status_counts);
+  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  EXPECT_TRUE(same(a.minimum, b.minimum));
+  EXPECT_TRUE(same(a.maximum, b.maximum));
+  EXPECT_TRUE(same(a.mean, b.mean)) << a.mean - b.mean;
+  EXPECT_TRUE(same(a.rms, b.rms)) << a.rms - b.rms;
+  EXPECT_TRUE(same(a.standard_deviation, b.standard_deviation));
+  EXPECT_TRUE(same(a.percentile95, b.percentile95));
+  EXPECT_TRUE(same(a.out_of_tolerance_fraction, b.out_of_tolerance_fraction));
 }
 
 } // namespace
@@ -97,4 +179,78 @@ TEST(DeviationStatistics, LoseNoDigitsToALargeOffset)
   const DeviationStatistics result = deviation_statistics(feet);
   EXPECT_EQ(result.mean, 1e8);
   EXPECT_EQ(result.standard_deviation, 1.0);
+}
+
+/// The same bits for every number of processes and every way to share the points out, some
+/// processes without any; more faces than are worked on at a time, some without points.
+TEST(DeviationStatistics, AreTheSameForAnyNumberOfProcesses)
+{
+  constexpr int kFaces = 150;
+  std::mt19937 generator(4);
+  std::vector<Foot> feet;
+  for (int k = 0; k < 3000; ++k)
+  {
+    const double size = std::ldexp(1.0, static_cast<int>(generator() % 40) - 20);
+    feet.push_back(foot_at(size * (generator() / 4294967296.0 - 0.3)));
+    feet.back().face = static_cast<int>(generator() % kFaces);
+    if (k % 17 == 0)
+    {
+      feet.back() = Foot{}; // an invalid point: no distance, no face
+    }
+    else if (feet.back().face % 10 == 3)
+    {
+      feet.back().face = 0;
+    }
+  }
+  Deviations whole(kFaces, feet.size());
+  for (const Foot& foot : feet)
+  {
+    whole.add(foot);
+  }
+  const DeviationStatistics of_all = whole.of_all(0.5);
+  const std::vector<DeviationStatistics> of_faces = whole.of_faces(0.5);
+  ASSERT_EQ(of_faces.size(), static_cast<std::size_t>(kFaces));
+  EXPECT_EQ(of_faces[3].count, 0);
+  EXPECT_TRUE(std::isnan(of_faces[3].percentile95));
+  std::int64_t counted = 0;
+  for (const DeviationStatistics& face : of_faces)
+  {
+    counted += face.count;
+  }
+  EXPECT_EQ(counted, of_all.count);
+  EXPECT_EQ(of_all.status_counts[4], (3000 + 16) / 17);
+
+  for (const int processes : { 2, 3, 4 })
+  {
+    std::shuffle(feet.begin(), feet.end(), generator);
+    Meeting meeting(processes);
+    std::vector<std::thread> threads;
+    for (int rank = 0; rank < processes; ++rank)
+    {
+      threads.emplace_back(
+        [&, rank]
+        {
+          Deviations part(kFaces);
+          for (std::size_t i = 0; i < feet.size(); ++i)
+          {
+            // Of four processes, number 1 has no points.
+            const std::size_t to = i % static_cast<std::size_t>(processes);
+            if ((processes == 4 && to == 1 ? 0 : to) == static_cast<std::size_t>(rank))
+            {
+              part.add(feet[i]);
+            }
+          }
+          expect_same_bits(part.of_all(0.5, meeting.reduction()), of_all);
+          const auto faces = part.of_faces(0.5, meeting.reduction());
+          for (std::size_t face = 0; face < of_faces.size(); ++face)
+          {
+            expect_same_bits(faces[face], of_faces[face]);
+          }
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/reduction.h"
 #include "footpoint/model/point_inversion.h"
 
 #include <array>
@@ -23,16 +24,46 @@ struct DeviationStatistics
   double out_of_tolerance_fraction = NAN; ///< part of `count` with |distance| above the tolerance
 };
 
-/// What statistics need of the points that count, for feet that are not kept.
-struct Deviations
+/// What statistics need of the points that count, for feet that are not kept: a number a point,
+/// kept by faces.
+///
+/// All results have the same bits whatever the order of the points and however they are shared out
+/// among processes: sums are exact until they are rounded (see ExactSum), and the percentile is
+/// found digit by digit from counts, with no number sent elsewhere. Beside the numbers it takes a
+/// fixed amount of memory.
+class Deviations
 {
-  std::vector<double> values; ///< signed distances; where there is no sign, distances
-  std::array<std::int64_t, 6> status_counts{};
+public:
+  /// \param faces  of the model; on all processes the same
+  /// \param points that will be added here, at most; 0: unknown
+  explicit Deviations(std::size_t faces, std::size_t points = 0)
+    : Parts(faces + 1)
+  {
+    // How many fall to each of several faces is not known.
+    this->Parts.front().values.reserve(faces == 1 ? points : 0);
+  }
 
+  /// \param foot its face is one of the model's, or −1
   void add(const Foot& foot);
+
+  /// Of all points of all processes.
   /// \param tolerance limit of |distance| in model units; infinity: nothing is out of tolerance
-  /// Sums are taken in the order of the points with compensation (Neumaier 1974).
-  DeviationStatistics statistics(double tolerance = std::numeric_limits<double>::infinity()) const;
+  DeviationStatistics of_all(double tolerance = std::numeric_limits<double>::infinity(),
+    const Reduction& reduction = {}) const;
+
+  /// Of the points with their foot on each face, by face.
+  std::vector<DeviationStatistics> of_faces(
+    double tolerance = std::numeric_limits<double>::infinity(),
+    const Reduction& reduction = {}) const;
+
+  struct Part
+  {
+    std::vector<double> values; ///< signed distances; where there is no sign, distances
+    std::array<std::int64_t, 6> status_counts{};
+  };
+
+private:
+  std::vector<Part> Parts; ///< by face; last: of points without one
 };
 
 /// \param feet all points that count

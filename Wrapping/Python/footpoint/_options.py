@@ -8,7 +8,7 @@ import re
 import numpy as np
 from vtkmodules.vtkCommonCore import VTK_DOUBLE_MAX
 
-_GEOMETRY = {"ParametricFunction"}  # has a Set and a Get method, and is no option
+_OBJECTS = {"Controller", "ParametricFunction"}  # have a Set and a Get method, and are no options
 
 
 def snake_case(name):
@@ -20,7 +20,7 @@ def option_names(algorithm_class):
     """{snake_case name: CamelCase name} of what the class itself can set and get."""
     own = vars(algorithm_class)
     names = (name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own)
-    return {snake_case(name): name for name in sorted(names) if name not in _GEOMETRY}
+    return {snake_case(name): name for name in sorted(names) if name not in _OBJECTS}
 
 
 def enumeration_methods(algorithm_class, name):

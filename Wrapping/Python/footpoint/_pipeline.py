@@ -63,7 +63,11 @@ def to_model(faces):
 
 
 def set_geometry(algorithm, geometry):
-    """Gives an algorithm its geometry, whatever kind it is of."""
+    """Gives an algorithm its geometry, whatever kind it is of.
+
+    On several ranks it works for its own alone: they need not call at the same time.
+    """
+    algorithm.SetController(None)
     if isinstance(geometry, vtkParametricFunction):
         algorithm.SetParametricFunction(geometry)
     else:
