@@ -69,7 +69,10 @@ void put(vtkMultiBlockDataSet* tree, unsigned int number, vtkDataObject* data)
 }
 void put(vtkPartitionedDataSetCollection* tree, unsigned int number, vtkDataObject* data)
 {
-  tree->SetPartitionedDataSet(number, vtkPartitionedDataSet::SafeDownCast(data));
+  if (data) // null is refused; what comes later leaves the gap
+  {
+    tree->SetPartitionedDataSet(number, vtkPartitionedDataSet::SafeDownCast(data));
+  }
 }
 void put(vtkPartitionedDataSet* tree, unsigned int number, vtkDataObject* data)
 {

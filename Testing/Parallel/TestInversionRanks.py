@@ -384,6 +384,7 @@ def test_evaluator(controller):
     skipped = evaluator.GetOutput().GetFieldData().GetArray("NumberOfSkippedPoints").GetValue(0)
     assert skipped == 1, "the one bad point of all ranks"
     evaluator.SetParametersArrayName("None" if rank == 0 else "Parameters")
+    evaluator.Modified()  # on all, as on rank 0
     assert "has no array 'None'" in errors_of(evaluator)
 
 
