@@ -110,7 +110,7 @@ void set_child(
     [&](auto* typed)
     {
       put(typed, number, data);
-      if (!name.empty())
+      if (!name.empty() && number < count_of(typed))
       {
         typed->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
       }
