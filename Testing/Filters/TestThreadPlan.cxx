@@ -125,6 +125,13 @@ void TestDefaults()
   CHECK(unsetenv("VTK_SMP_MAX_THREADS") == 0);
   const ThreadSettings settings = current_thread_settings();
   CHECK(settings.cores >= settings.own_cores && settings.own_cores >= 1);
+  if (vtk::detail::smp::DefaultBackend == vtk::detail::smp::BackendType::Sequential)
+  {
+    // As Debian's ParaView: all cores for the loop, and nothing changed for other filters.
+    CHECK(vtkSMPTools::SetBackend("Sequential"));
+    CHECK(CountThreads(100) > (settings.own_cores > 1 ? 1 : 0));
+    CHECK(vtkSMPTools::GetBackend() == std::string("Sequential"));
+  }
   TestLoops();
 
   // Ranks by the environment of mpiexec: as many as cores leave one thread each.

@@ -52,6 +52,7 @@ if __name__ == "__main__":
         code = 0
         simple.Disconnect()
     finally:
+        server.terminate()  # mpiexec passes it on to all ranks
         try:
             server.wait(timeout=20)
         except subprocess.TimeoutExpired:
