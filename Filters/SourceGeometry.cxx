@@ -12,6 +12,10 @@
 #include "vtkParametricFunction.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
+#include <set>
+#include <vector>
+
 namespace footpoint::conversion
 {
 
@@ -58,6 +62,43 @@ void fill_source_port_information(vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+}
+
+void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::set<double> steps;
+  std::vector<double> ends;
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* const info = inputs[port]->GetInformationObject(0);
+    if (info && info->Has(Pipeline::TIME_STEPS()))
+    {
+      const double* const first = info->Get(Pipeline::TIME_STEPS());
+      steps.insert(first, first + info->Length(Pipeline::TIME_STEPS()));
+    }
+    if (info && info->Has(Pipeline::TIME_RANGE()))
+    {
+      const double* const range = info->Get(Pipeline::TIME_RANGE());
+      ends.insert(ends.end(), range, range + 2);
+    }
+  }
+  const std::vector<double> all(steps.begin(), steps.end());
+  ends.insert(ends.end(), all.begin(), all.end());
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* const info = outputs->GetInformationObject(port);
+    if (!all.empty())
+    {
+      info->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+    }
+    if (!ends.empty())
+    {
+      const auto range = std::minmax_element(ends.begin(), ends.end());
+      const double both[] = { *range.first, *range.second };
+      info->Set(Pipeline::TIME_RANGE(), both, 2);
+    }
+  }
 }
 
 void request_whole_source(vtkInformationVector** inputs)

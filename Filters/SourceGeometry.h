@@ -33,6 +33,10 @@ struct SourceGeometry
 /// Port 1: spline geometry, optional.
 void fill_source_port_information(vtkInformation* info);
 
+/// Tells of the time steps of both inputs (the executive passes on those of port 0 alone, and would not
+/// run a filter again whose geometry moves while the points stay).
+void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
 /// Asks port 1 for the whole geometry, whichever part of the output is wanted.
 void request_whole_source(vtkInformationVector** inputs);
 

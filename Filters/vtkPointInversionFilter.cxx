@@ -154,6 +154,13 @@ int vtkPointInversionFilter::RequestDataObject(
     SetOutputDataObject(VTK_TABLE, outputs->GetInformationObject(2), true);
 }
 
+int vtkPointInversionFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  merge_time_steps(inputs, outputs);
+  return 1;
+}
+
 int vtkPointInversionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {

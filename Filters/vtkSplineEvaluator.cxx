@@ -298,6 +298,13 @@ int vtkSplineEvaluator::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+int vtkSplineEvaluator::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  merge_time_steps(inputs, outputs);
+  return 1;
+}
+
 int vtkSplineEvaluator::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
