@@ -54,9 +54,10 @@ bool is_near(const std::array<Vector3, 2>& box, const Vector3& point, double rea
 
 } // namespace
 
-EdgeJoining::EdgeJoining(const std::vector<PatchEdge>& edges, double sewing)
+EdgeJoining::EdgeJoining(const std::vector<PatchEdge>& edges, double sewing, double gap)
   : Edges(edges)
   , Sewing(sewing)
+  , Gap(gap)
   , Cuts(edges.size())
 {
   this->cut_at_ends();
@@ -114,6 +115,14 @@ void EdgeJoining::cut_at_ends()
       {
         sets.join(order[i], order[j]);
       }
+    }
+  }
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+  {
+    const TrimEdge& edge = this->Edges[ends[i].edge].edge;
+    if (ends[i].edge == ends[i + 1].edge && edge.closes_gap() && edge.collapsed(this->Gap))
+    {
+      sets.join(i, i + 1);
     }
   }
   std::vector<int> node(ends.size(), -1);
@@ -197,11 +206,12 @@ void EdgeJoining::make_pieces()
     {
       const Cut& a = this->Cuts[k][i];
       const Cut& b = this->Cuts[k][i + 1];
+      const TrimEdge& edge = this->Edges[k].edge;
       bool collapsed = a.node == b.node;
-      for (int j = 1; collapsed && j < 8; ++j)
+      const bool gap = collapsed && edge.closes_gap() && edge.collapsed(this->Gap);
+      for (int j = 1; collapsed && !gap && j < 8; ++j)
       {
-        collapsed = (this->Edges[k].edge.point(a.t + (b.t - a.t) * j / 8.0) -
-                      this->Vertices[a.node])
+        collapsed = (edge.point(a.t + (b.t - a.t) * j / 8.0) - this->Vertices[a.node])
                       .norm() <= 2.0 * this->tolerance(k, k);
       }
       this->PiecesOfEdge[k].push_back(this->Pieces.size());

@@ -35,8 +35,10 @@ struct EdgeSamples
 class EdgeJoining
 {
 public:
-  /// \param edges outlive this \param sewing model units
-  EdgeJoining(const std::vector<PatchEdge>& edges, double sewing);
+  /// \param edges outlive this
+  /// \param sewing, gap model units; arcs that close gaps in loops and are no longer than `gap` become
+  ///               one node
+  EdgeJoining(const std::vector<PatchEdge>& edges, double sewing, double gap);
 
   /// Samples all groups, at first, and later those that were refined; the nodes of others stay.
   void sample(const SamplingRule& rule, const Execution& execution);
@@ -84,6 +86,7 @@ private:
 
   const std::vector<PatchEdge>& Edges;
   double Sewing;
+  double Gap;
   std::vector<std::vector<Cut>> Cuts; ///< of each edge, ascending
   std::vector<Vector3> Vertices;      ///< the nodes at ends
   std::vector<Piece> Pieces;

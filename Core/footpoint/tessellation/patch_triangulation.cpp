@@ -88,21 +88,36 @@ int PatchTriangulation::add(const Parameter<2>& place, int node)
 
 int PatchTriangulation::add_boundary(const Parameter<2>& place, int node)
 {
-  std::vector<int>& known = this->OfNode[node];
-  for (const int vertex : known)
+  std::vector<NamedPlace>& known = this->OfNode[node];
+  for (const NamedPlace& named : known)
   {
-    if ((this->unit(this->Places[vertex]) - this->unit(place)).cwiseAbs().maxCoeff() <= kSamePlace)
+    if ((this->unit(named.place) - this->unit(place)).cwiseAbs().maxCoeff() <= kSamePlace)
     {
-      return vertex;
+      return named.vertex;
     }
   }
-  known.push_back(this->add(place, node));
-  return known.back();
+  known.push_back({ place, this->add(place, node) });
+  return known.back().vertex;
 }
 
 void PatchTriangulation::constrain_boundary(
   const std::vector<const PatchEdge*>& edges, const std::vector<const EdgeSamples*>& samples)
 {
+  // What closes a gap that is one node is one vertex: were it an edge it might cross its neighbours.
+  for (std::size_t k = 0; k < edges.size(); ++k)
+  {
+    const std::vector<int>& nodes = samples[k]->nodes;
+    if (edges[k]->edge.closes_gap() &&
+      std::adjacent_find(nodes.begin(), nodes.end(), std::not_equal_to<>()) == nodes.end())
+    {
+      const int vertex =
+        this->add_boundary(edges[k]->edge.place(samples[k]->parameters.front()), nodes.front());
+      for (const double t : samples[k]->parameters)
+      {
+        this->OfNode[nodes.front()].push_back({ edges[k]->edge.place(t), vertex });
+      }
+    }
+  }
   std::vector<std::vector<int>> chains;
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
@@ -125,6 +140,10 @@ void PatchTriangulation::constrain_boundary(
   {
     for (std::size_t i = 0; i + 1 < chains[k].size(); ++i)
     {
+      if (chains[k][i] == chains[k][i + 1])
+      {
+        continue;
+      }
       const bool pole = samples[k]->nodes[i] == samples[k]->nodes[i + 1];
       this->Mesh.constrain(
         chains[k][i], chains[k][i + 1], pole ? EdgeKind::Divisible : EdgeKind::Fixed);
@@ -397,6 +416,12 @@ bool PatchTriangulation::divide(int triangle)
   {
     return false;
   }
+  const Eigen::Vector2d a = this->unit(corner[1] - corner[0]);
+  const Eigen::Vector2d b = this->unit(corner[2] - corner[0]);
+  if (std::abs(a[0] * b[1] - a[1] * b[0]) <= kSmallest * kSmallest)
+  {
+    return false;
+  }
   // The longest edge that may be divided, as the surface is bent.
   const ParameterBox box{ corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
     corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]) };
@@ -407,15 +432,15 @@ bool PatchTriangulation::divide(int triangle)
   double longest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    const Parameter<2>& a = corner[(i + 1) % 3];
-    const Parameter<2>& b = corner[(i + 2) % 3];
-    const Parameter<2> way = (b - a).cwiseAbs();
+    const Parameter<2>& from = corner[(i + 1) % 3];
+    const Parameter<2>& to = corner[(i + 2) % 3];
+    const Parameter<2> way = (to - from).cwiseAbs();
     const double length =
       8.0 * bounds.second.chord(way) + speed.dot(way.cwiseProduct(way));
     if (here.kind[i] != EdgeKind::Fixed && length > longest)
     {
       longest = length;
-      place = a + 0.5 * (b - a);
+      place = from + 0.5 * (to - from);
     }
   }
   for (const Parameter<2>& at : { place, Parameter<2>((corner[0] + corner[1] + corner[2]) / 3.0) })

@@ -39,6 +39,12 @@ public:
     const std::vector<const EdgeSamples*>& samples, const std::vector<SurfaceCells>& cells);
 
 private:
+  struct NamedPlace
+  {
+    Parameter<2> place;
+    int vertex;
+  };
+
   int add(const Parameter<2>& place, int node);
   int add_boundary(const Parameter<2>& place, int node);
   void constrain_boundary(const std::vector<const PatchEdge*>& edges,
@@ -66,7 +72,7 @@ private:
   ConstrainedDelaunay Mesh;
   std::vector<Parameter<2>> Places; ///< of the mesh's vertices
   std::vector<int> Nodes;
-  std::map<int, std::vector<int>> OfNode;         ///< vertices on the boundary
+  std::map<int, std::vector<NamedPlace>> OfNode;  ///< vertices on the boundary
   std::map<int, std::vector<int>> GroupsOfVertex; ///< of edges, for messages of crossings
   std::array<std::array<int, 2>, 2> Poles{ { { { -1, -1 } }, { { -1, -1 } } } }; ///< nodes
   std::size_t TooCoarse = 0;

@@ -24,6 +24,9 @@ constexpr double kAtPoints = 0.8;
 /// How often faces whose sampled edges cross each other are tried again with shorter chords.
 constexpr int kAttempts = 8;
 
+/// Gaps in loops up to this part of the tolerance become one point.
+constexpr double kSmallGap = 0.1;
+
 /// Patches that are triangulated between two looks at whether to go on.
 constexpr std::size_t kBlock = 64;
 
@@ -236,7 +239,8 @@ bool Tessellator::triangulate()
     }
     work.boundary.clear();
   }
-  EdgeJoining joining(this->Edges, kSewing * this->Size);
+  EdgeJoining joining(
+    this->Edges, kSewing * this->Size, kSmallGap * this->Rule.tolerance);
   for (int attempt = 0; attempt < kAttempts; ++attempt)
   {
     joining.sample(this->Rule, this->Run);

@@ -114,9 +114,11 @@ Vector3 TrimEdge::point(double t) const
   return this->Base->centre() + this->Base->jet(at.t, at.sides, 0).point;
 }
 
-Vector3 TrimEdge::normal(double t) const
+Vector3 TrimEdge::normal(double t, Side side) const
 {
-  const CellPlace at = place_in(this->Cells[this->arc_at(t)], this->place(t));
+  std::size_t k = this->arc_at(t);
+  k -= side == Side::Left && k > 0 && static_cast<double>(k) == t ? 1 : 0;
+  const CellPlace at = place_in(this->Cells[k], this->place(t));
   return unit_normal(*this->Base, at.t, at.sides);
 }
 
@@ -254,7 +256,7 @@ bool TrimEdge::is_fine(
     return false;
   }
   return !(rule.angle > 0.0) || (this->point(from) - this->point(to)).norm() <= rule.tolerance ||
-    angle_between(this->normal(from), this->normal(to)) <= rule.angle;
+    angle_between(this->normal(from, Side::Right), this->normal(to, Side::Left)) <= rule.angle;
 }
 
 std::vector<double> TrimEdge::samples(

@@ -24,8 +24,10 @@ public:
   /// Local parameters (u, v).
   Parameter<2> place(double t) const;
   Vector3 point(double t) const; ///< in space
-  /// Unit normal of the surface, at kinks of the piece in which the arc lies.
-  Vector3 normal(double t) const;
+  /// Unit normal of the surface; where two arcs meet, perhaps at a kink, beside the one on that side.
+  Vector3 normal(double t, Side side) const;
+  /// Whether it stands for a gap in a loop.
+  bool closes_gap() const { return this->Arcs.front().closes_gap; }
   /// The parameter between two others at which the edge is nearest to a point, from the nearest of some
   /// samples by Gauss and Newton.
   double nearest(const Vector3& point, double from, double to) const;
