@@ -16,7 +16,6 @@ constexpr int kRounds = 40;
 
 /// Each level asks for chords a quarter as far from the curve: about half as long.
 constexpr double kFiner = 0.25;
-constexpr int kFinest = 10;
 
 /// Smallest representatives of joined sets.
 class Sets
@@ -274,11 +273,10 @@ void EdgeJoining::group_pieces()
   }
 }
 
-bool EdgeJoining::refine(int group)
+void EdgeJoining::refine(int group)
 {
-  Group& refined = this->Groups[group];
-  refined.stale = true;
-  return ++refined.level <= kFinest;
+  this->Groups[group].stale = true;
+  ++this->Groups[group].level;
 }
 
 /// Where a member of a group is nearest to points, strictly from one end to the other; false where it

@@ -42,9 +42,8 @@ public:
 
   /// Samples all groups, at first, and later those that were refined; the nodes of others stay.
   void sample(const SamplingRule& rule, const Execution& execution);
-  /// Makes a group's chords shorter at the next sampling. \return false where they are as short as may
-  /// be
-  bool refine(int group);
+  /// Makes a group's chords half as long at the next sampling.
+  void refine(int group);
 
   const std::vector<Vector3>& nodes() const { return this->Nodes; }
   const std::vector<EdgeSamples>& samples() const { return this->Samples; }

@@ -192,7 +192,11 @@ void PatchTriangulation::constrain_kinks(const std::vector<SurfaceCells>& cells)
           line.emplace_back(this->Places[vertex][1 - i], static_cast<int>(vertex));
         }
       }
-      std::vector<double> corners;
+      std::vector<double> corners; // and where kinks cross
+      for (const Break& other : this->Base.direction(1 - i).breaks)
+      {
+        corners.push_back(other.at);
+      }
       for (const SurfaceCells& cell : cells)
       {
         for (int j = 0; (cell.box.lower[i] == at || cell.box.upper[i] == at) && j <= cell.count[1 - i];
@@ -558,7 +562,11 @@ PatchMesh PatchTriangulation::run(const std::vector<const PatchEdge*>& edges,
     std::vector<int>& groups = failed.crossing_groups;
     std::sort(groups.begin(), groups.end());
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-    return failed; // the vertices are those of edges: there is a group
+    if (groups.empty())
+    {
+      groups.push_back(-1); // only kinks, of which shorter chords know nothing
+    }
+    return failed;
   }
   this->classify();
   this->add_corners(cells);

@@ -279,7 +279,10 @@ bool Tessellator::triangulate()
     }
     for (const int group : crossing)
     {
-      joining.refine(group);
+      if (group >= 0)
+      {
+        joining.refine(group);
+      }
     }
     for (Work& work : this->Works)
     {

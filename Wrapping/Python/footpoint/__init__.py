@@ -12,6 +12,7 @@ In NumPy terms
     invert                       points -> feet, parameters, distances, statistics
     evaluate                     parameters -> points, the inverse
     bezier_cells                 geometry -> cells that VTK draws, which are geometry in turn
+    tessellate                   geometry -> triangles and polylines to a proved tolerance
     coons_patch                  four boundary polylines -> structured grid
     coons_surface                four NURBS curves -> the Coons surface as a NURBS surface
     gordon_surface               network of NURBS curves -> NURBS surface through it
@@ -25,7 +26,7 @@ In a VTK pipeline
 -----------------
     vtkPointInversionFilter, vtkSplineEvaluator, vtkBezierExtraction, vtkNURBSShapeSource,
     vtkCoonsPatchSource, vtkCoonsSurface, vtkGordonSurface, vtkTransfiniteVolume,
-    vtkStructuredGridSmoother
+    vtkStructuredGridSmoother, vtkSplineTessellator
         the classes behind those functions
     vtkSplineReader, vtkSplineWriter, vtkCADReader
         files of splines; STEP, IGES and BREP files (where Open CASCADE is built in)
@@ -63,4 +64,5 @@ from .grids import (
     transfinite_volume,
 )
 from .shapes import nurbs_shape
+from .tessellation import tessellate
 from ._version import __version__
