@@ -21,6 +21,9 @@ constexpr double kClear = 0.3;
 /// And this near to another vertex it is the same, computed in another way.
 constexpr double kSameCorner = 1e-6;
 
+/// Triangles that are lower than this part of the tolerance are not divided for the sake of normals.
+constexpr double kLow = 0.1;
+
 /// Triangles whose box is smaller, as a part of the domain, are not divided: at rounding.
 constexpr double kSmallest = 1e-12;
 
@@ -386,12 +389,19 @@ bool PatchTriangulation::keeps_to_rule(int triangle) const
     point[k] = this->Base.jet(corner[k], sides, 0).point;
   }
   double largest = 0.0;
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    longest = std::max(longest, (point[(k + 1) % 3] - point[k]).norm());
+  }
+  const double twice_area = (point[1] - point[0]).cross(point[2] - point[0]).norm();
+  const bool is_low = twice_area <= kLow * this->Rule.tolerance * longest;
   for (int k = 0; k < 3; ++k)
   {
     const int other = (k + 1) % 3;
     const double angle = angle_between(normal[k], normal[other]);
     largest = std::max(largest, angle);
-    if (this->Rule.angle > 0.0 && angle > this->Rule.angle * (1.0 + 1e-9) &&
+    if (this->Rule.angle > 0.0 && !is_low && angle > this->Rule.angle * (1.0 + 1e-9) &&
       (point[k] - point[other]).norm() > this->Rule.tolerance)
     {
       return false;

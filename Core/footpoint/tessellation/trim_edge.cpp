@@ -17,11 +17,17 @@ constexpr int kSamples = 8;
 /// Steps to the nearest point; fewer do where it lies on the edge.
 constexpr int kSteps = 30;
 
+/// Places of a chord whose normals are compared.
+constexpr int kNormals = 5;
+
 /// Of the tolerance, what chords may use.
 constexpr double kShareOfChords = 0.5;
 
 /// A joint of arcs this near to a knot line, as a part of the domain, lies on it.
 constexpr double kJointRounding = 1e-14;
+
+/// A place this near to a joint, in arcs, is the joint.
+constexpr double kAtJoint = 1e-9;
 
 /// Halving ends here: at the rounding of parameters.
 constexpr int kDeepest = 50;
@@ -170,7 +176,8 @@ double TrimEdge::nearest(const Vector3& point, double from, double to) const
     best = next;
     distance = there;
   }
-  return best;
+  const double joint = std::nearbyint(best);
+  return std::abs(best - joint) <= kAtJoint && joint >= from && joint <= to ? joint : best;
 }
 
 bool TrimEdge::collapsed(double tolerance) const
@@ -255,8 +262,25 @@ bool TrimEdge::is_fine(
   {
     return false;
   }
-  return !(rule.angle > 0.0) || (this->point(from) - this->point(to)).norm() <= rule.tolerance ||
-    angle_between(this->normal(from, Side::Right), this->normal(to, Side::Left)) <= rule.angle;
+  if (!(rule.angle > 0.0) || (this->point(from) - this->point(to)).norm() <= rule.tolerance)
+  {
+    return true;
+  }
+  // Also between: triangles beside the chord have corners near its middle.
+  std::array<Vector3, kNormals> normals;
+  for (int i = 0; i < kNormals; ++i)
+  {
+    const double t = from + (to - from) * i / (kNormals - 1);
+    normals[i] = this->normal(t, i == 0 ? Side::Right : Side::Left);
+    for (int j = 0; j < i; ++j)
+    {
+      if (angle_between(normals[i], normals[j]) > rule.angle)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 std::vector<double> TrimEdge::samples(
@@ -293,8 +317,8 @@ void TrimEdge::sample(const SurfaceBounds& bounds, const SamplingRule& rule, dou
     result.push_back(to);
     return;
   }
-  const double first_joint = std::floor(from) + 1.0;
-  const double last_joint = std::ceil(to) - 1.0;
+  const double first_joint = std::floor(from + kAtJoint) + 1.0;
+  const double last_joint = std::ceil(to - kAtJoint) - 1.0;
   int parts = 2;
   double joint = 0.0; // where several arcs are divided
   if (first_joint <= last_joint)
