@@ -162,18 +162,18 @@ void EdgeJoining::cut_where_others_end()
   for (std::size_t k = 0; k < this->Edges.size(); ++k)
   {
     const TrimEdge& edge = this->Edges[k].edge;
-    const auto first = std::lower_bound(order.begin(), order.end(), edge.box()[0].x() - largest,
+    // Between samples the edge may leave their box by a part of it.
+    const double beside = largest + 0.1 * (edge.box()[1] - edge.box()[0]).norm();
+    const auto first = std::lower_bound(order.begin(), order.end(), edge.box()[0].x() - beside,
       [&](int node, double x) { return this->Vertices[node].x() < x; });
     std::vector<Cut> found;
     for (auto at = first;
-         at != order.end() && this->Vertices[*at].x() <= edge.box()[1].x() + largest; ++at)
+         at != order.end() && this->Vertices[*at].x() <= edge.box()[1].x() + beside; ++at)
     {
       const Vector3& point = this->Vertices[*at];
       const double allowed = std::max(reach[*at], this->Edges[k].tolerance);
-      // Between samples the edge may leave the box by a part of the box.
-      const double slack = allowed + 0.1 * (edge.box()[1] - edge.box()[0]).norm();
       const auto is_at = [&](const Cut& cut) { return cut.node == *at; };
-      if (!is_near(edge.box(), point, slack) ||
+      if (!is_near(edge.box(), point, beside) ||
         std::any_of(this->Cuts[k].begin(), this->Cuts[k].end(), is_at))
       {
         continue;
