@@ -55,6 +55,52 @@ struct ProductRule
   }
 };
 
+/// Turns the net of a rational piece S into that of S − L, one degree higher in directions with extent,
+/// L being affine in the parameters and nearly S. Second derivatives stay; but values and first
+/// derivatives, which bounds of rational pieces add to them, become small with the box.
+/// \return the first derivatives of L by each direction of the unit square
+std::array<Vector3, 2> subtract_affine(Homogeneous& net, std::array<int, 2>& degree)
+{
+  const auto at = [&](int i, int j) -> Vector3
+  {
+    const auto column = net.col(j * degree[1] * (degree[0] + 1) + i * degree[0]);
+    return column.head<3>() / column[3];
+  };
+  const std::array<Vector3, 2> slope{ { 0.5 * (at(1, 0) - at(0, 0) + at(1, 1) - at(0, 1)),
+    0.5 * (at(0, 1) - at(0, 0) + at(1, 1) - at(1, 0)) } };
+  for (int d = 0; d < 2; ++d)
+  {
+    if (degree[d] == 0)
+    {
+      continue;
+    }
+    // One degree more, less w·(x − 1/2)·slope: x·w has the control points i/(p + 1)·w of i − 1.
+    const int p = degree[d];
+    const int step = d == 0 ? 1 : degree[0] + 1;
+    const int lines = d == 0 ? degree[1] + 1 : degree[0] + 1;
+    const int stride = d == 0 ? degree[0] + 1 : 1;
+    Homogeneous higher(4, (p + 2) * lines);
+    for (int line = 0; line < lines; ++line)
+    {
+      for (int i = 0; i <= p + 1; ++i)
+      {
+        const double part = static_cast<double>(i) / (p + 1);
+        const int from = line * stride;
+        const Eigen::Vector4d low = i > 0 ? Eigen::Vector4d(part * net.col(from + (i - 1) * step))
+                                          : Eigen::Vector4d(Eigen::Vector4d::Zero());
+        const Eigen::Vector4d high = i <= p ? Eigen::Vector4d((1.0 - part) * net.col(from + i * step))
+                                            : Eigen::Vector4d(Eigen::Vector4d::Zero());
+        Eigen::Vector4d sum = low + high;
+        sum.head<3>() -= (low[3] - 0.5 * sum[3]) * slope[d];
+        higher.col(d == 0 ? line * (p + 2) + i : i * lines + line) = sum;
+      }
+    }
+    net = std::move(higher);
+    degree[d] = p + 1;
+  }
+  return slope;
+}
+
 /// \param net    (w·x, w·y, w·z, w), u fastest; is moved to its own middle
 /// \param degree, extent per direction; a direction without extent has degree 0
 DerivativeBounds bounds_of_net(Homogeneous& net, const std::array<int, 2>& degree,
@@ -129,6 +175,20 @@ DerivativeBounds bounds_of_net(Homogeneous& net, const std::array<int, 2>& degre
     along.second(uv.height, uv.weight, hu, hv, u.weight, v.weight),
     along.second(vv.height, vv.weight, hv, hv, v.weight, v.weight),
   };
+  return bounds;
+}
+
+DerivativeBounds bounds_of(Homogeneous& net, std::array<int, 2> degree, const Parameter<2>& extent,
+  const Vector3& up, bool rational)
+{
+  if (!rational)
+  {
+    return bounds_of_net(net, degree, extent, up);
+  }
+  const std::array<Vector3, 2> slope = subtract_affine(net, degree);
+  DerivativeBounds bounds = bounds_of_net(net, degree, extent, up);
+  bounds.u += extent[0] > 0.0 ? slope[0].norm() / extent[0] : 0.0;
+  bounds.v += extent[1] > 0.0 ? slope[1].norm() / extent[1] : 0.0;
   return bounds;
 }
 
@@ -285,7 +345,7 @@ DerivativeBounds SurfaceBounds::of_span(
     net.middleCols(b * (degree[0] + 1), degree[0] + 1) =
       row.lazyProduct(parts[0].matrix.leftCols(degree[0] + 1));
   }
-  return bounds_of_net(net, degree, extent, up);
+  return bounds_of(net, degree, extent, up, this->Base->rational());
 }
 
 double second_derivative_bound(const Curve& curve, double lower, double upper)
@@ -297,7 +357,8 @@ double second_derivative_bound(const Curve& curve, double lower, double upper)
     homogeneous(curve.local_control_points(), curve.weights()).middleCols(part.first,
       part.matrix.rows()) *
     part.matrix;
-  return bounds_of_net(net, { { knots.degree(), 0 } }, { upper - lower, 0.0 }, Vector3::Zero())
+  return bounds_of(
+    net, { { knots.degree(), 0 } }, { upper - lower, 0.0 }, Vector3::Zero(), curve.rational())
     .second.uu;
 }
 

@@ -53,8 +53,9 @@ struct DerivativeBounds
 };
 
 /// Bounds from the control nets of a surface's Bézier pieces, restricted to boxes: second derivatives
-/// of nets are differences, those of rational pieces follow from the product rule for w·S about a
-/// point of the net. They converge to the derivatives as boxes shrink. Const and thread-safe.
+/// of nets are differences, those of rational pieces follow from the product rule for w·S, after an
+/// affine map near S was subtracted. They converge to the derivatives as boxes shrink. Const and
+/// thread-safe.
 class SurfaceBounds
 {
 public:
