@@ -24,6 +24,9 @@ constexpr double kSameCorner = 1e-6;
 /// Triangles that are lower than this part of the tolerance are not divided for the sake of normals.
 constexpr double kLow = 0.1;
 
+/// Cosine of the angle between a triangle at a pole and the normals of its corners, at least.
+constexpr double kUpright = 0.5;
+
 /// Triangles whose box is smaller, as a part of the domain, are not divided: at rounding.
 constexpr double kSmallest = 1e-12;
 
@@ -371,7 +374,10 @@ bool PatchTriangulation::keeps_to_rule(int triangle) const
   const ParameterBox box{ corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
     corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]) };
   const bool near = this->Bounds.of_pieces(box).second.chord(corner) <= this->Rule.tolerance;
-  if (near && !(this->Rule.angle > 0.0))
+  const auto& vertex = this->Mesh.triangles()[triangle].vertex;
+  const bool at_pole = std::any_of(
+    corner.begin(), corner.end(), [this](const auto& place) { return this->pole_node(place) >= 0; });
+  if (near && !at_pole && !(this->Rule.angle > 0.0))
   {
     return true;
   }
@@ -394,8 +400,14 @@ bool PatchTriangulation::keeps_to_rule(int triangle) const
   {
     longest = std::max(longest, (point[(k + 1) % 3] - point[k]).norm());
   }
-  const double twice_area = (point[1] - point[0]).cross(point[2] - point[0]).norm();
-  const bool is_low = twice_area <= kLow * this->Rule.tolerance * longest;
+  const Vector3 area = (point[1] - point[0]).cross(point[2] - point[0]);
+  const bool is_low = area.norm() <= kLow * this->Rule.tolerance * longest;
+  const Vector3 sum = normal[0] + normal[1] + normal[2];
+  if (at_pole && !this->is_collapsed(vertex) && !is_low &&
+    area.dot(sum) <= kUpright * area.norm() * sum.norm())
+  {
+    return false; // stands on the surface: a pole and two points of one line towards it
+  }
   for (int k = 0; k < 3; ++k)
   {
     const int other = (k + 1) % 3;
@@ -411,7 +423,7 @@ bool PatchTriangulation::keeps_to_rule(int triangle) const
   {
     return true;
   }
-  const Vector3 up = (normal[0] + normal[1] + normal[2]).normalized();
+  const Vector3 up = sum.normalized();
   const DerivativeBounds bounds = this->Bounds.over(box, up);
   // Of this triangle and of those beside it, twice the angle from its middle to its corners.
   const double slope = largest < kSteepest ? std::tan(1.2 * largest) : kSteep;
@@ -510,7 +522,7 @@ PatchMesh PatchTriangulation::finish() const
   std::vector<int> number(this->Places.size(), -1);
   for (const ConstrainedDelaunay::Triangle& triangle : this->Mesh.triangles())
   {
-    if (!triangle.kept || this->is_collapsed(triangle))
+    if (!triangle.kept || this->is_collapsed(triangle.vertex))
     {
       continue;
     }
@@ -533,11 +545,11 @@ PatchMesh PatchTriangulation::finish() const
 }
 
 /// Whether two corners are one node: the triangle has no area.
-bool PatchTriangulation::is_collapsed(const ConstrainedDelaunay::Triangle& triangle) const
+bool PatchTriangulation::is_collapsed(const std::array<int, 3>& vertex) const
 {
-  const int a = this->Nodes[triangle.vertex[0]];
-  const int b = this->Nodes[triangle.vertex[1]];
-  const int c = this->Nodes[triangle.vertex[2]];
+  const int a = this->Nodes[vertex[0]];
+  const int b = this->Nodes[vertex[1]];
+  const int c = this->Nodes[vertex[2]];
   return (a >= 0 && (a == b || a == c)) || (b >= 0 && b == c);
 }
 

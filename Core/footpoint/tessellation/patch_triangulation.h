@@ -60,7 +60,7 @@ private:
   bool divide(int triangle);
   int pole_node(const Parameter<2>& place) const;
   std::array<Parameter<2>, 3> corners(int triangle) const;
-  bool is_collapsed(const ConstrainedDelaunay::Triangle& triangle) const;
+  bool is_collapsed(const std::array<int, 3>& vertex) const;
   Eigen::Vector2d unit(const Parameter<2>& place) const;
   PatchMesh finish() const;
 
