@@ -12,8 +12,9 @@ import footpoint
 from footpoint._options import option_names
 
 FUNCTIONS = ("nurbs_surface", "nurbs_curve", "trimmed_face", "model", "invert", "evaluate",
-             "read_splines", "write_splines")
+             "read_splines", "write_splines", "tessellate")
 CLASSES = ("vtkPointInversionFilter", "vtkSplineEvaluator", "vtkSplineReader", "vtkSplineWriter",
+           "vtkSplineTessellator",
            "InversionResult", "Feet", "Status",
            "FootType")
 
@@ -46,6 +47,7 @@ class Docstrings(unittest.TestCase):
             (footpoint.read_splines, "(path, format='Auto')"),
             (footpoint.write_splines, "(geometry, path, format='Auto')"),
             (footpoint.evaluate, "(geometry, parameters, faces=None)"),
+            (footpoint.tessellate, "(geometry, **options)"),
             (footpoint.invert,
              "(points, geometry, *, seed_parameters=None, seed_face_id=None, **options)"),
         ):
