@@ -88,7 +88,7 @@ class Errors(unittest.TestCase):
             footpoint.tessellate(5)
 
     def test_a_face_that_is_left_out(self):
-        eight = footpoint.trimmed_face(square(), [[[[0, 0], [1, 1], [1, 0], [0, 0.9], [0, 0]]]])
+        eight = footpoint.trimmed_face(square(1.0), [[[[0, 0], [1, 1], [1, 0], [0, 0.9], [0, 0]]]])
         with self.assertWarnsRegex(RuntimeWarning, "Face 1.*cross"):
             mesh = footpoint.tessellate([square(), eight])
         self.assertEqual(mesh.GetNumberOfPolys(), 2)
