@@ -368,7 +368,38 @@ void PatchTriangulation::add_corners(const std::vector<SurfaceCells>& cells)
   }
 }
 
-bool PatchTriangulation::keeps_to_rule(int triangle) const
+/// The point and the normal at a vertex, of the piece in which the middle of a triangle lies.
+const PatchTriangulation::Evaluated& PatchTriangulation::evaluated(
+  int vertex, const Parameter<2>& middle)
+{
+  if (this->Known.size() < this->Places.size())
+  {
+    this->Known.resize(this->Places.size());
+  }
+  Evaluated& result = this->Known[vertex];
+  if (result.valid)
+  {
+    return result;
+  }
+  const Parameter<2>& place = this->Places[vertex];
+  Sides<2> sides;
+  result.valid = true;
+  for (int i = 0; i < 2; ++i)
+  {
+    sides[i] = middle[i] < place[i] ? Side::Left : Side::Right;
+    const std::vector<Break>& breaks = this->Base.direction(i).breaks;
+    for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
+    {
+      // At kinks normals depend on the triangle.
+      result.valid = result.valid && breaks[k].at != place[i];
+    }
+  }
+  result.normal = unit_normal(this->Base, place, sides);
+  result.point = this->Base.jet(place, sides, 0).point;
+  return result;
+}
+
+bool PatchTriangulation::keeps_to_rule(int triangle)
 {
   const std::array<Parameter<2>, 3> corner = this->corners(triangle);
   const ParameterBox box{ corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
@@ -386,13 +417,9 @@ bool PatchTriangulation::keeps_to_rule(int triangle) const
   std::array<Vector3, 3> point;
   for (int k = 0; k < 3; ++k)
   {
-    Sides<2> sides;
-    for (int i = 0; i < 2; ++i)
-    {
-      sides[i] = middle[i] < corner[k][i] ? Side::Left : Side::Right;
-    }
-    normal[k] = unit_normal(this->Base, corner[k], sides);
-    point[k] = this->Base.jet(corner[k], sides, 0).point;
+    const Evaluated& evaluated = this->evaluated(vertex[k], middle);
+    normal[k] = evaluated.normal;
+    point[k] = evaluated.point;
   }
   double largest = 0.0;
   double longest = 0.0;

@@ -44,6 +44,12 @@ private:
     Parameter<2> place;
     int vertex;
   };
+  struct Evaluated
+  {
+    Vector3 point;
+    Vector3 normal;
+    bool valid = false; ///< for all triangles at the vertex
+  };
 
   int add(const Parameter<2>& place, int node);
   int add_boundary(const Parameter<2>& place, int node);
@@ -56,7 +62,8 @@ private:
   bool is_clear(const ConstrainedDelaunay::Place& at, const Parameter<2>& place,
     const Parameter<2>& cell) const;
   void refine();
-  bool keeps_to_rule(int triangle) const;
+  const Evaluated& evaluated(int vertex, const Parameter<2>& middle);
+  bool keeps_to_rule(int triangle);
   bool divide(int triangle);
   int pole_node(const Parameter<2>& place) const;
   std::array<Parameter<2>, 3> corners(int triangle) const;
@@ -75,6 +82,7 @@ private:
   std::map<int, std::vector<NamedPlace>> OfNode;  ///< vertices on the boundary
   std::map<int, std::vector<int>> GroupsOfVertex; ///< of edges, for messages of crossings
   std::array<std::array<int, 2>, 2> Poles{ { { { -1, -1 } }, { { -1, -1 } } } }; ///< nodes
+  std::vector<Evaluated> Known; ///< of the mesh's vertices
   std::size_t TooCoarse = 0;
 };
 

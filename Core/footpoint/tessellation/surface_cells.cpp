@@ -16,7 +16,7 @@ namespace
 constexpr int kFewParts = 3;
 
 /// Beyond these parts in a direction the exact number does not matter, halving comes first.
-constexpr int kManyParts = 64;
+constexpr int kManyParts = 16;
 
 /// Where normals turn by more the triangles are no graph.
 constexpr double kHalfTurn = 1.0;
@@ -137,7 +137,7 @@ private:
       return best;
     }
     int m = kManyParts;
-    for (int n = 1; n <= kManyParts; ++n)
+    for (int n = 1; n <= kManyParts && n <= best[0] * best[1]; ++n)
     {
       while (m > 1 && enough(n, m - 1))
       {
