@@ -14,9 +14,12 @@
  *
  * | array        | of     | type      | meaning                                                   |
  * |--------------|--------|-----------|-----------------------------------------------------------|
- * | `Normals`    | points | double, 3 | unit normal of the surface, at poles its limit; 0 on curves; active normals; only where there are surfaces |
- * | `Parameters` | points | double, 2 | (u, v) in the patch's own domain; curves (u, 0); active texture coordinates |
- * | `FaceId`     | cells  | vtkIdType | the face, counted from 0                                  |
+ * | `Normals`    | points | double, 3 | unit normal of the surface, at poles its limit; 0 on
+ * curves; active normals; only where there are surfaces | | `Parameters` | points | double, 2 | (u,
+ * v) in the patch's own domain; curves (u, 0); active texture coordinates | | `FaceId`     | cells
+ * | vtkIdType | the face, counted from 0                                  |
+ *
+ * `Normals` is there where the geometry has surfaces, and 0 on curves, whose parameters are (u, 0).
  *
  * With Adaptive the distance between the geometry and its triangles or lines is at most
  * ChordTolerance: that is proved by bounds of the second derivatives, not sampled. Where borders of

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Judges tessellations by what shares no code with them: distances to triangles at dense samples, edges
-/// counted by coordinates, areas and volumes.
+/// Judges tessellations by what shares no code with them: distances to triangles at dense samples,
+/// edges counted by coordinates, areas and volumes.
 
 #include "footpoint/tessellation/tessellation.h"
 
@@ -60,8 +60,8 @@ inline std::array<Vector3, 3> corners(const Tessellation& mesh, std::size_t tria
   return { { mesh.points.col(t[0]), mesh.points.col(t[1]), mesh.points.col(t[2]) } };
 }
 
-/// The largest distance of the surface from all triangles, at samples of what lies over each triangle;
-/// stops at the first that is beyond the limit.
+/// The largest distance of the surface from all triangles, at samples of what lies over each
+/// triangle; stops at the first that is beyond the limit.
 inline double largest_distance(
   const Model& model, const Tessellation& mesh, double limit, int samples = 5)
 {

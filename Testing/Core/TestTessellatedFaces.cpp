@@ -84,21 +84,22 @@ TEST(TessellatedFaces, AreasOfPlaneFaces)
 
 TEST(TessellatedFaces, LoopsAroundASeam)
 {
-  // Of a cylinder of radius 1 and height 2 a band between two circles, given without and with the seam.
+  // Of a cylinder of radius 1 and height 2 a band between two circles, given without and with the
+  // seam.
   const Surface cylinder = shapes::revolve(
     { 0, 0, 2, 2 }, 1, shapes::points({ { 1, 0, 0 }, { 1, 0, 2 } }), Eigen::Vector2d(1, 1));
   const double end = cylinder.direction(0).length;
   const double quarter = 0.25 * end;
-  const auto line = [](double u0, double v0, double u1, double v1)
-  { return trims::polyline({ { u0, v0 }, { u1, v1 } }); };
-  const std::vector<std::vector<TrimLoop>> kinds{
-    { { { line(0, 0.5, end, 0.5) } }, { { line(end, 1.5, 0, 1.5) } } },
+  const auto line = [](double u0, double v0, double u1, double v1) {
+    return trims::polyline({ { u0, v0 }, { u1, v1 } });
+  };
+  const std::vector<std::vector<TrimLoop>> kinds{ { { { line(0, 0.5, end, 0.5) } },
+                                                    { { line(end, 1.5, 0, 1.5) } } },
     { { { line(0, 0.5, end, 0.5), line(end, 0.5, end, 1.5), line(end, 1.5, 0, 1.5),
       line(0, 1.5, 0, 0.5) } } },
     // A window across the seam.
     { { { line(-quarter, 0.5, quarter, 0.5), line(quarter, 0.5, quarter, 1.5),
-      line(quarter, 1.5, -quarter, 1.5), line(-quarter, 1.5, -quarter, 0.5) } } }
-  };
+      line(quarter, 1.5, -quarter, 1.5), line(-quarter, 1.5, -quarter, 0.5) } } } };
   for (std::size_t k = 0; k < kinds.size(); ++k)
   {
     Face face = solids::whole(cylinder);
@@ -131,8 +132,8 @@ TEST(TessellatedFaces, LoopsAroundASeam)
     }
     for (const auto& [edge, n] : edges)
     {
-      boundary += n == 0 ? 0.0
-                         : Vector3(edge[3] - edge[0], edge[4] - edge[1], edge[5] - edge[2]).norm();
+      boundary +=
+        n == 0 ? 0.0 : Vector3(edge[3] - edge[0], edge[4] - edge[1], edge[5] - edge[2]).norm();
     }
     EXPECT_NEAR(boundary, k == 2 ? 2.0 * kPi + 2.0 : 4.0 * kPi, 1e-2) << k;
   }
@@ -151,7 +152,8 @@ TEST(TessellatedFaces, RandomFaces)
     for (const TessellationProblem& problem : mesh.problems)
     {
       // Strips thinner than borders are sewn.
-      EXPECT_NE(problem.message.find("thinner"), std::string::npos) << name << ": " << problem.message;
+      EXPECT_NE(problem.message.find("thinner"), std::string::npos)
+        << name << ": " << problem.message;
     }
     triangulated += mesh.problems.empty();
     const Surface& surface = dynamic_cast<const Surface&>(*model[0].patches[0].surface);
@@ -163,15 +165,14 @@ TEST(TessellatedFaces, RandomFaces)
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
     {
       const auto& t = mesh.triangles[k];
-      const Parameter<2> middle = surface.to_local((mesh.parameters.col(t[0]) +
-                                    mesh.parameters.col(t[1]) + mesh.parameters.col(t[2])) /
-        3.0);
+      const Parameter<2> middle = surface.to_local(
+        (mesh.parameters.col(t[0]) + mesh.parameters.col(t[1]) + mesh.parameters.col(t[2])) / 3.0);
       if (!model[0].region->contains(middle[0], middle[1]))
       {
         const Vector3 point = surface.point(middle);
         double least = std::numeric_limits<double>::infinity();
-        for (const auto& edge : edge_curves(std::make_shared<Surface>(surface), *model[0].region,
-               EdgeArcs::NoSeams))
+        for (const auto& edge :
+          edge_curves(std::make_shared<Surface>(surface), *model[0].region, EdgeArcs::NoSeams))
         {
           for (int i = 0; i <= 400; ++i)
           {
@@ -204,8 +205,8 @@ TEST(TessellatedFaces, RealFaces)
     EXPECT_TRUE(mesh.problems.empty()) << real.name << ": " << mesh.problems[0].message;
     const Counts counts = count(model, mesh);
     EXPECT_GT(counts.area, 0.0) << real.name;
-    // Kept by the loops, by counting points of a grid in the plane of parameters; triangles at poles
-    // have no area in space and are left out.
+    // Kept by the loops, by counting points of a grid in the plane of parameters; triangles at
+    // poles have no area in space and are left out.
     int kept = 0;
     constexpr int kGrid = 200;
     for (int j = 0; j < kGrid; ++j)
@@ -219,11 +220,13 @@ TEST(TessellatedFaces, RealFaces)
     bool pole = false;
     for (int i = 0; i < 2; ++i)
     {
-      pole = pole || real.surface->direction(i).collapsed[0] || real.surface->direction(i).collapsed[1];
+      pole =
+        pole || real.surface->direction(i).collapsed[0] || real.surface->direction(i).collapsed[1];
     }
     if (!pole)
     {
-      EXPECT_NEAR(counts.parameter_area, kept / static_cast<double>(kGrid * kGrid), 0.015) << real.name;
+      EXPECT_NEAR(counts.parameter_area, kept / static_cast<double>(kGrid * kGrid), 0.015)
+        << real.name;
     }
   }
 }

@@ -36,8 +36,9 @@ TEST(DerivativeBounds, HoldAndConverge)
   shapes::Random random(3);
   for (int run = 0; run < 40; ++run)
   {
-    const auto arrays = shapes::random_arrays<2>(
-      random, { { random.integer(1, 5), random.integer(1, 5) } }, 3, run % 2 == 0, run % 3 == 0 ? 0.0 : 1.0);
+    const auto arrays =
+      shapes::random_arrays<2>(random, { { random.integer(1, 5), random.integer(1, 5) } }, 3,
+        run % 2 == 0, run % 3 == 0 ? 0.0 : 1.0);
     const Surface surface = arrays.geometry();
     SurfaceBounds bounds(surface);
     for (std::size_t row = 0; row < bounds.rows(); ++row)
@@ -92,8 +93,8 @@ TEST(DerivativeBounds, HoldAndConverge)
 TEST(Tessellation, KeepsTheChordTolerance)
 {
   const std::vector<std::pair<const char*, Surface>> surfaces{ { "sphere", shapes::sphere() },
-    { "torus", shapes::torus() }, { "cylinder", shapes::cylinder() }, { "saddle", shapes::saddle() },
-    { "cusp", shapes::cusp() }, { "triangle", shapes::triangle() },
+    { "torus", shapes::torus() }, { "cylinder", shapes::cylinder() },
+    { "saddle", shapes::saddle() }, { "cusp", shapes::cusp() }, { "triangle", shapes::triangle() },
     { "ribbon", shapes::helical_ribbon() }, { "bumpy", shapes::bumpy(12, 1) } };
   for (const auto& [name, surface] : surfaces)
   {
@@ -125,8 +126,8 @@ TEST(Tessellation, IsNotWasteful)
     // The arcs of a cylinder: chords off by the tolerance, two triangles each.
     const Surface cylinder = shapes::cylinder(1.0, 270.0, 3);
     const double step = 2.0 * std::acos(1.0 - tolerance * cylinder.size());
-    EXPECT_LE(
-      tessellate(one(cylinder), chord(tolerance)).triangles.size(), 4.0 * 2.0 * 1.5 * kPi / step + 8);
+    EXPECT_LE(tessellate(one(cylinder), chord(tolerance)).triangles.size(),
+      4.0 * 2.0 * 1.5 * kPi / step + 8);
   }
   // A plane needs two, however it is parametrized.
   EXPECT_EQ(tessellate(one(shapes::square()), chord(1e-6)).triangles.size(), 2u);
@@ -140,8 +141,8 @@ TEST(Tessellation, NormalsAndParametersAreTheSurfaces)
   {
     const Model model{ solids::whole(sphere, reversed) };
     const Tessellation mesh = tessellate(model, chord(1e-3));
-    const Vector3 outward = mesh.normals.col(0).dot(mesh.points.col(0)) > 0 ? Vector3(1, 1, 1)
-                                                                             : Vector3(-1, -1, -1);
+    const Vector3 outward =
+      mesh.normals.col(0).dot(mesh.points.col(0)) > 0 ? Vector3(1, 1, 1) : Vector3(-1, -1, -1);
     for (Eigen::Index k = 0; k < mesh.points.cols(); ++k)
     {
       EXPECT_NEAR(mesh.points.col(k).norm(), 1.0, 1e-14);
@@ -154,7 +155,8 @@ TEST(Tessellation, NormalsAndParametersAreTheSurfaces)
       const auto [a, b, c] = corners(mesh, k);
       EXPECT_GT((b - a).cross(c - a).dot(mesh.normals.col(mesh.triangles[k][0])), 0.0);
     }
-    // v runs from the south pole: S_u × S_v points outward; the volume has the sign of the triangles.
+    // v runs from the south pole: S_u × S_v points outward; the volume has the sign of the
+    // triangles.
     const double sign = reversed ? -1.0 : 1.0;
     EXPECT_NEAR(count(model, mesh).volume, sign * 4.0 * kPi / 3.0, 0.02);
   }
@@ -207,8 +209,7 @@ TEST(Tessellation, KinksStaySharp)
   // A roof over the unit square with its ridge at u = 1/2.
   const Points net = shapes::points(
     { { 0, 0, 0 }, { 0.5, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 1, 1 }, { 1, 1, 0 } });
-  const Surface roof(
-    KnotVector(1, { 0, 0, 0.5, 1, 1 }), KnotVector(1, { 0, 0, 1, 1 }), net);
+  const Surface roof(KnotVector(1, { 0, 0, 0.5, 1, 1 }), KnotVector(1, { 0, 0, 1, 1 }), net);
   const Tessellation mesh = tessellate(one(roof), chord(1e-2));
   EXPECT_EQ(mesh.triangles.size(), 4u);
   EXPECT_EQ(mesh.points.cols(), 8) << "each side has its own points";
@@ -269,9 +270,13 @@ TEST(Tessellation, CurvesBecomePolylines)
 
 TEST(Tessellation, EqualBordersHaveEqualPoints)
 {
-  // A box of six bicubic faces, each turned in its own way, bulging; neighbours share border curves.
+  // A box of six bicubic faces, each turned in its own way, bulging; neighbours share border
+  // curves.
   const auto bulge = [](const Vector3& p)
-  { return Vector3(p + 0.15 * Vector3(std::sin(2 * p.y()), std::sin(2 * p.z() + p.x()), p.x() * p.y())); };
+  {
+    return Vector3(
+      p + 0.15 * Vector3(std::sin(2 * p.y()), std::sin(2 * p.z() + p.x()), p.x() * p.y()));
+  };
   shapes::Random random(5);
   for (int run = 0; run < 8; ++run)
   {
@@ -298,7 +303,8 @@ TEST(Tessellation, EqualBordersHaveEqualPoints)
           }
         }
         const bool reversed = (at < 0) != (turn[0] != (turn[1] != turn[2]));
-        model.push_back(solids::whole(Surface(KnotVector(3, knots), KnotVector(3, knots), net), reversed));
+        model.push_back(
+          solids::whole(Surface(KnotVector(3, knots), KnotVector(3, knots), net), reversed));
       }
     }
     const Tessellation mesh = tessellate(model, chord(1e-3));
@@ -365,7 +371,8 @@ TEST(Tessellation, SameBitsForAnyThreads)
   }
   const Tessellation serial = tessellate(model, chord(1e-3, 0.5));
   Execution threads;
-  threads.parallel_for = [](std::int64_t n, const std::function<void(std::int64_t, std::int64_t)>& body)
+  threads.parallel_for =
+    [](std::int64_t n, const std::function<void(std::int64_t, std::int64_t)>& body)
   {
     std::vector<std::thread> all;
     for (std::int64_t k = 0; k < 3; ++k)

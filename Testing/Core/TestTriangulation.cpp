@@ -72,7 +72,8 @@ bool has_edge(const ConstrainedDelaunay& mesh, int a, int b)
 TEST(Orientation, IsExactNearALine)
 {
   shapes::Random random(1);
-  const auto on_grid = [&] { return std::ldexp(std::floor(std::ldexp(random.uniform(0, 1), 29)), -29); };
+  const auto on_grid = [&]
+  { return std::ldexp(std::floor(std::ldexp(random.uniform(0, 1), 29)), -29); };
   int degenerate = 0;
   for (int k = 0; k < 20000; ++k)
   {
@@ -134,7 +135,8 @@ TEST(Triangulation, KeepsConstraints)
       tips.push_back(mesh.insert(Point(0.5 + 0.4 * std::cos(angle), 0.5 + 0.4 * std::sin(angle))));
     }
     const int right = mesh.insert(Point(1, 0.5));
-    const int between = mesh.insert(Point(0.75, 0.5)); // on the segment from the centre to the right
+    const int between =
+      mesh.insert(Point(0.75, 0.5)); // on the segment from the centre to the right
     for (int k = 0; k < 200; ++k)
     {
       mesh.insert(Point(random.uniform(0, 1), random.uniform(0, 1)));

@@ -129,7 +129,8 @@ void TestModel()
   CHECK(faces->GetValue(0) == 2); // the line comes first
   CHECK(faces->GetValue(1) == 0);
   const vtkIdType last = output->GetNumberOfCells() - 1;
-  CHECK(faces->GetValue(last) == 3 && faces->GetValue(last - 1) == 3 && faces->GetValue(last - 2) == 0);
+  CHECK(
+    faces->GetValue(last) == 3 && faces->GetValue(last - 1) == 3 && faces->GetValue(last - 2) == 0);
   vtkNew<vtkIdList> ids;
   output->GetCellPoints(last, ids);
   for (vtkIdType i = 0; i < 3; ++i)
@@ -175,9 +176,8 @@ void TestOptions()
   CHECK(FieldValue(tessellator->GetOutput(), "ChordTolerance") == 0.0);
   std::ostringstream text;
   tessellator->Print(text);
-  for (const char* name :
-    { "Mode: Fixed", "ChordTolerance: 0.1", "AbsoluteTolerance: On", "AngleTolerance: 5",
-      "Resolution: 3", "FlipNormals: Off" })
+  for (const char* name : { "Mode: Fixed", "ChordTolerance: 0.1", "AbsoluteTolerance: On",
+         "AngleTolerance: 5", "Resolution: 3", "FlipNormals: Off" })
   {
     CHECK(Contains(text.str(), name));
   }

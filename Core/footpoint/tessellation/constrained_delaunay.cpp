@@ -29,8 +29,8 @@ int previous(int i)
 ConstrainedDelaunay::ConstrainedDelaunay(const Eigen::Vector2d& scale)
   : Scale(scale)
 {
-  for (const auto& corner : { Eigen::Vector2d(-kFar, -kFar), Eigen::Vector2d(kFar, -kFar),
-         Eigen::Vector2d(0.5, kFar) })
+  for (const auto& corner :
+    { Eigen::Vector2d(-kFar, -kFar), Eigen::Vector2d(kFar, -kFar), Eigen::Vector2d(0.5, kFar) })
   {
     this->Points.push_back(corner);
     this->Scaled.push_back(corner.cwiseProduct(scale));
@@ -62,8 +62,8 @@ ConstrainedDelaunay::Place ConstrainedDelaunay::locate(const Eigen::Vector2d& po
     for (int k = 0; k < 3 && onward < 0; ++k)
     {
       const int i = (first + k) % 3;
-      const int side = orientation(this->Points[triangle.vertex[next(i)]],
-        this->Points[triangle.vertex[previous(i)]], point);
+      const int side = orientation(
+        this->Points[triangle.vertex[next(i)]], this->Points[triangle.vertex[previous(i)]], point);
       if (side < 0)
       {
         onward = triangle.neighbour[i];
@@ -143,9 +143,12 @@ int ConstrainedDelaunay::insert(const Eigen::Vector2d& point, const Place& place
     const auto [ka, kb, kc] = old.kind;
     this->relink(na, t, t1);
     this->relink(nb, t, t2);
-    this->set(t, { { a, b, added } }, { { t1, t2, nc } }, { { EdgeKind::Free, EdgeKind::Free, kc } });
-    this->set(t1, { { b, c, added } }, { { t2, t, na } }, { { EdgeKind::Free, EdgeKind::Free, ka } });
-    this->set(t2, { { c, a, added } }, { { t, t1, nb } }, { { EdgeKind::Free, EdgeKind::Free, kb } });
+    this->set(
+      t, { { a, b, added } }, { { t1, t2, nc } }, { { EdgeKind::Free, EdgeKind::Free, kc } });
+    this->set(
+      t1, { { b, c, added } }, { { t2, t, na } }, { { EdgeKind::Free, EdgeKind::Free, ka } });
+    this->set(
+      t2, { { c, a, added } }, { { t, t1, nb } }, { { EdgeKind::Free, EdgeKind::Free, kb } });
     this->Stack.insert(this->Stack.end(), { { { t, 2 } }, { { t1, 2 } }, { { t2, 2 } } });
   }
   else
@@ -170,8 +173,8 @@ int ConstrainedDelaunay::insert(const Eigen::Vector2d& point, const Place& place
     this->relink(nbd, s, s1);
     this->set(t, { { a, b, added } }, { { s1, t1, nab } },
       { { cut, EdgeKind::Free, old.kind[previous(i)] } });
-    this->set(t1, { { c, a, added } }, { { t, s, nca } },
-      { { EdgeKind::Free, cut, old.kind[next(i)] } });
+    this->set(
+      t1, { { c, a, added } }, { { t, s, nca } }, { { EdgeKind::Free, cut, old.kind[next(i)] } });
     this->set(s, { { d, c, added } }, { { t1, s1, ndc } },
       { { cut, EdgeKind::Free, beyond.kind[previous(j)] } });
     this->set(s1, { { b, d, added } }, { { s, t, nbd } },
@@ -247,8 +250,8 @@ bool ConstrainedDelaunay::find_edge(int from, int to, int& triangle, int& edge) 
   do
   {
     const Triangle& here = this->Triangles[at];
-    const int i =
-      static_cast<int>(std::find(here.vertex.begin(), here.vertex.end(), from) - here.vertex.begin());
+    const int i = static_cast<int>(
+      std::find(here.vertex.begin(), here.vertex.end(), from) - here.vertex.begin());
     if (here.vertex[next(i)] == to)
     {
       triangle = at;
@@ -282,8 +285,7 @@ void ConstrainedDelaunay::mark(int from, int to, EdgeKind kind)
   }
 }
 
-int ConstrainedDelaunay::crossed(
-  int from, int to, std::vector<std::array<int, 2>>& edges) const
+int ConstrainedDelaunay::crossed(int from, int to, std::vector<std::array<int, 2>>& edges) const
 {
   const auto on_ray = [&](int vertex)
   {
@@ -298,8 +300,8 @@ int ConstrainedDelaunay::crossed(
   for (;;)
   {
     const Triangle& here = this->Triangles[at];
-    const int i =
-      static_cast<int>(std::find(here.vertex.begin(), here.vertex.end(), from) - here.vertex.begin());
+    const int i = static_cast<int>(
+      std::find(here.vertex.begin(), here.vertex.end(), from) - here.vertex.begin());
     right = here.vertex[next(i)];
     left = here.vertex[previous(i)];
     if (right == to || on_ray(right))

@@ -14,9 +14,9 @@ namespace footpoint
 /// What an edge of a triangulation is.
 enum class EdgeKind : std::uint8_t
 {
-  Free,     ///< may be flipped
+  Free,      ///< may be flipped
   Divisible, ///< stays, as itself or in parts
-  Fixed     ///< stays as it is
+  Fixed      ///< stays as it is
 };
 
 /// Thrown where two edges that both have to stay cross.
@@ -39,8 +39,8 @@ class ConstrainedDelaunay
 public:
   struct Triangle
   {
-    std::array<int, 3> vertex;                           ///< counter-clockwise
-    std::array<int, 3> neighbour;                        ///< across the edge opposite to the vertex
+    std::array<int, 3> vertex;    ///< counter-clockwise
+    std::array<int, 3> neighbour; ///< across the edge opposite to the vertex
     std::array<EdgeKind, 3> kind{ { EdgeKind::Free, EdgeKind::Free, EdgeKind::Free } };
     bool kept = false; ///< the triangles that this one is divided into inherit it
   };
@@ -94,7 +94,7 @@ private:
   std::vector<Eigen::Vector2d> Points;
   std::vector<Eigen::Vector2d> Scaled;
   std::vector<Triangle> Triangles;
-  std::vector<int> OfVertex; ///< a triangle at each vertex
+  std::vector<int> OfVertex;             ///< a triangle at each vertex
   std::vector<std::array<int, 2>> Stack; ///< triangle and edge that may have to be flipped
   std::vector<int> Changed;
   mutable int Last = 0;

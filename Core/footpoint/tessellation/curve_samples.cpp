@@ -47,7 +47,8 @@ public:
     {
       const double middle = from + 0.5 * (to - from);
       auto knot = std::lower_bound(first, last, middle);
-      knot = knot == last || (knot != first && middle - knot[-1] < *knot - middle) ? knot - 1 : knot;
+      knot =
+        knot == last || (knot != first && middle - knot[-1] < *knot - middle) ? knot - 1 : knot;
       cuts.push_back(*knot);
     }
     else

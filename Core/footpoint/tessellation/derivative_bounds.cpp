@@ -55,9 +55,9 @@ struct ProductRule
   }
 };
 
-/// Turns the net of a rational piece S into that of S − L, one degree higher in directions with extent,
-/// L being affine in the parameters and nearly S. Second derivatives stay; but values and first
-/// derivatives, which bounds of rational pieces add to them, become small with the box.
+/// Turns the net of a rational piece S into that of S − L, one degree higher in directions with
+/// extent, L being affine in the parameters and nearly S. Second derivatives stay; but values and
+/// first derivatives, which bounds of rational pieces add to them, become small with the box.
 /// \return the first derivatives of L by each direction of the unit square
 std::array<Vector3, 2> subtract_affine(Homogeneous& net, std::array<int, 2>& degree)
 {
@@ -88,8 +88,9 @@ std::array<Vector3, 2> subtract_affine(Homogeneous& net, std::array<int, 2>& deg
         const int from = line * stride;
         const Eigen::Vector4d low = i > 0 ? Eigen::Vector4d(part * net.col(from + (i - 1) * step))
                                           : Eigen::Vector4d(Eigen::Vector4d::Zero());
-        const Eigen::Vector4d high = i <= p ? Eigen::Vector4d((1.0 - part) * net.col(from + i * step))
-                                            : Eigen::Vector4d(Eigen::Vector4d::Zero());
+        const Eigen::Vector4d high = i <= p
+          ? Eigen::Vector4d((1.0 - part) * net.col(from + i * step))
+          : Eigen::Vector4d(Eigen::Vector4d::Zero());
         Eigen::Vector4d sum = low + high;
         sum.head<3>() -= (low[3] - 0.5 * sum[3]) * slope[d];
         higher.col(d == 0 ? line * (p + 2) + i : i * lines + line) = sum;
@@ -103,8 +104,8 @@ std::array<Vector3, 2> subtract_affine(Homogeneous& net, std::array<int, 2>& deg
 
 /// \param net    (w·x, w·y, w·z, w), u fastest; is moved to its own middle
 /// \param degree, extent per direction; a direction without extent has degree 0
-DerivativeBounds bounds_of_net(Homogeneous& net, const std::array<int, 2>& degree,
-  const Parameter<2>& extent, const Vector3& up)
+DerivativeBounds bounds_of_net(
+  Homogeneous& net, const std::array<int, 2>& degree, const Parameter<2>& extent, const Vector3& up)
 {
   const int nu = degree[0] + 1;
   const int nv = degree[1] + 1;
@@ -353,9 +354,8 @@ double second_derivative_bound(const Curve& curve, double lower, double upper)
   const KnotVector& knots = curve.knots();
   const int span = knots.find_span(lower, Side::Right);
   const BezierSpan part = bezier_span(knots, span, lower, upper);
-  Homogeneous net =
-    homogeneous(curve.local_control_points(), curve.weights()).middleCols(part.first,
-      part.matrix.rows()) *
+  Homogeneous net = homogeneous(curve.local_control_points(), curve.weights())
+                      .middleCols(part.first, part.matrix.rows()) *
     part.matrix;
   return bounds_of(
     net, { { knots.degree(), 0 } }, { upper - lower, 0.0 }, Vector3::Zero(), curve.rational())

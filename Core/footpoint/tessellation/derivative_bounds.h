@@ -17,8 +17,8 @@ struct ParameterBox
   Parameter<2> extent() const { return this->upper - this->lower; }
 };
 
-/// Bounds of a second derivative in the parameters' directions: |d²f(a, a)| for a = (a_u, a_v) is at
-/// most uu·a_u² + 2·uv·|a_u·a_v| + vv·a_v².
+/// Bounds of a second derivative in the parameters' directions: |d²f(a, a)| for a = (a_u, a_v) is
+/// at most uu·a_u² + 2·uv·|a_u·a_v| + vv·a_v².
 struct SecondBounds
 {
   double uu = 0.0;
@@ -35,13 +35,14 @@ struct SecondBounds
              this->vv * extent[1] * extent[1]) /
       8.0;
   }
-  /// The same over a triangle: R²/2, R being the radius of the least circle around its corners in the
-  /// metric (uu + uv·r, vv + uv/r), for which the triangle's box has the sides 1 : r (S. Waldron 1998).
+  /// The same over a triangle: R²/2, R being the radius of the least circle around its corners in
+  /// the metric (uu + uv·r, vv + uv/r), for which the triangle's box has the sides 1 : r (S.
+  /// Waldron 1998).
   double chord(const std::array<Parameter<2>, 3>& corners) const;
 };
 
-/// Upper bounds of the magnitudes of a surface's derivatives over a box (model units by parameters).
-/// Those by a direction in which the box has no extent are 0.
+/// Upper bounds of the magnitudes of a surface's derivatives over a box (model units by
+/// parameters). Those by a direction in which the box has no extent are 0.
 struct DerivativeBounds
 {
   double u = 0.0;
@@ -52,10 +53,10 @@ struct DerivativeBounds
   DerivativeBounds joined_with(const DerivativeBounds& other) const;
 };
 
-/// Bounds from the control nets of a surface's Bézier pieces, restricted to boxes: second derivatives
-/// of nets are differences, those of rational pieces follow from the product rule for w·S, after an
-/// affine map near S was subtracted. They converge to the derivatives as boxes shrink. Const and
-/// thread-safe.
+/// Bounds from the control nets of a surface's Bézier pieces, restricted to boxes: second
+/// derivatives of nets are differences, those of rational pieces follow from the product rule for
+/// w·S, after an affine map near S was subtracted. They converge to the derivatives as boxes
+/// shrink. Const and thread-safe.
 class SurfaceBounds
 {
 public:
@@ -68,7 +69,8 @@ public:
   void prepare_row(std::size_t row);
 
   /// Over a box: of restricted pieces where it touches few, else of whole ones.
-  /// \param up the unit vector of heights; where whole pieces are taken heights are those of the vectors
+  /// \param up the unit vector of heights; where whole pieces are taken heights are those of the
+  /// vectors
   DerivativeBounds over(const ParameterBox& box, const Vector3& up = Vector3::Zero()) const;
   /// Of the whole pieces that a box touches: larger, but fast.
   DerivativeBounds of_pieces(const ParameterBox& box) const;

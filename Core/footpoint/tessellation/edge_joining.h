@@ -18,7 +18,8 @@ struct PatchEdge
   TrimEdge edge;
 };
 
-/// Places of an edge in ascending order, from its start to its end, and their numbers among all nodes.
+/// Places of an edge in ascending order, from its start to its end, and their numbers among all
+/// nodes.
 struct EdgeSamples
 {
   std::vector<double> parameters;
@@ -26,17 +27,19 @@ struct EdgeSamples
   std::vector<int> groups; ///< of the piece between a sample and the next
 };
 
-/// Which edges of all faces run along each other, found by distance, and one sampling for those that do.
+/// Which edges of all faces run along each other, found by distance, and one sampling for those
+/// that do.
 ///
 /// Ends of edges that are no farther apart than the tolerances of their faces (at least `sewing`)
 /// become one node, and cut other edges that pass there. Pieces between the same two nodes that run
-/// along each other form a group. The finest of a group is sampled, and the others are where they are
-/// nearest to its points; where a chord is too long for one of them all get another sample.
+/// along each other form a group. The finest of a group is sampled, and the others are where they
+/// are nearest to its points; where a chord is too long for one of them all get another sample.
 class EdgeJoining
 {
 public:
   /// \param edges outlive this
-  /// \param sewing, gap model units; arcs that close gaps in loops and are no longer than `gap` become
+  /// \param sewing, gap model units; arcs that close gaps in loops and are no longer than `gap`
+  /// become
   ///               one node
   EdgeJoining(const std::vector<PatchEdge>& edges, double sewing, double gap);
 
@@ -68,8 +71,8 @@ private:
     std::vector<std::size_t> pieces;
     int level = 0;
     bool stale = true;
-    int first_node = 0; ///< of the points
-    std::vector<Vector3> points;                  ///< strictly inside
+    int first_node = 0;                          ///< of the points
+    std::vector<Vector3> points;                 ///< strictly inside
     std::vector<std::vector<double>> parameters; ///< for each piece, of the points
   };
 

@@ -52,8 +52,7 @@ struct Expansion
   }
 };
 
-int exact_orientation(
-  const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
   Expansion sum;
   sum.add_product(a[0], b[1]);

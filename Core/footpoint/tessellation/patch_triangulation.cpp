@@ -15,27 +15,11 @@ namespace
 /// Places of the same node that differ by no more than this part of the domain are one.
 constexpr double kSamePlace = 1e-9;
 
-/// A corner of a cell this near to an edge of the boundary, in cells, is left out: it would make thin
-/// triangles.
+/// A corner of a cell this near to an edge of the boundary, in cells, is left out: it would make
+/// thin triangles.
 constexpr double kClear = 0.3;
 /// And this near to another vertex it is the same, computed in another way.
 constexpr double kSameCorner = 1e-6;
-
-/// Triangles that are lower than this part of the tolerance are not divided for the sake of normals.
-constexpr double kLow = 0.1;
-
-/// Cosine of the angle between a triangle at a pole and the normals of its corners, at least.
-constexpr double kUpright = 0.5;
-
-/// Triangles whose box is smaller, as a part of the domain, are not divided: at rounding.
-constexpr double kSmallest = 1e-12;
-
-/// Where normals turn by more the triangles are no graph over a plane.
-constexpr double kSteepest = 1.0;
-constexpr double kSteep = 1e6;
-
-/// No face has more triangles; what asks for them is no shape.
-constexpr std::size_t kMostTriangles = std::size_t{ 1 } << 26;
 
 /// The power of two below a number.
 double power_of_two(double x)
@@ -109,7 +93,8 @@ int PatchTriangulation::add_boundary(const Parameter<2>& place, int node)
 void PatchTriangulation::constrain_boundary(
   const std::vector<const PatchEdge*>& edges, const std::vector<const EdgeSamples*>& samples)
 {
-  // What closes a gap that is one node is one vertex: were it an edge it might cross its neighbours.
+  // What closes a gap that is one node is one vertex: were it an edge it might cross its
+  // neighbours.
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     const std::vector<int>& nodes = samples[k]->nodes;
@@ -205,8 +190,8 @@ void PatchTriangulation::constrain_kinks(const std::vector<SurfaceCells>& cells)
       }
       for (const SurfaceCells& cell : cells)
       {
-        for (int j = 0; (cell.box.lower[i] == at || cell.box.upper[i] == at) && j <= cell.count[1 - i];
-             ++j)
+        for (int j = 0;
+             (cell.box.lower[i] == at || cell.box.upper[i] == at) && j <= cell.count[1 - i]; ++j)
         {
           corners.push_back(cell.line(1 - i, j));
         }
@@ -218,8 +203,9 @@ void PatchTriangulation::constrain_kinks(const std::vector<SurfaceCells>& cells)
       for (const double corner : corners)
       {
         const bool inside = corner > 0.0 && corner < this->Length[1 - i];
-        const bool taken = std::any_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(on_boundary),
-          [&](const auto& known) { return std::abs(known.first - corner) <= same; });
+        const bool taken =
+          std::any_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(on_boundary),
+            [&](const auto& known) { return std::abs(known.first - corner) <= same; });
         if (inside && !taken && corner - before > same)
         {
           Parameter<2> place;
@@ -312,8 +298,8 @@ bool PatchTriangulation::is_kept(const std::vector<int>& component) const
 }
 
 /// Whether a corner of a cell is far enough from the boundary and from other vertices.
-bool PatchTriangulation::is_clear(const ConstrainedDelaunay::Place& at, const Parameter<2>& place,
-  const Parameter<2>& cell) const
+bool PatchTriangulation::is_clear(
+  const ConstrainedDelaunay::Place& at, const Parameter<2>& place, const Parameter<2>& cell) const
 {
   const ConstrainedDelaunay::Triangle& here = this->Mesh.triangles()[at.triangle];
   const bool beyond = at.on_edge >= 0 && here.neighbour[at.on_edge] >= 0 &&
@@ -324,10 +310,8 @@ bool PatchTriangulation::is_clear(const ConstrainedDelaunay::Place& at, const Pa
   }
   for (int i = 0; i < 3; ++i)
   {
-    const Parameter<2> a =
-      (this->Places[here.vertex[(i + 1) % 3]] - place).cwiseQuotient(cell);
-    const Parameter<2> b =
-      (this->Places[here.vertex[(i + 2) % 3]] - place).cwiseQuotient(cell);
+    const Parameter<2> a = (this->Places[here.vertex[(i + 1) % 3]] - place).cwiseQuotient(cell);
+    const Parameter<2> b = (this->Places[here.vertex[(i + 2) % 3]] - place).cwiseQuotient(cell);
     if (a.norm() <= kSameCorner)
     {
       return false;
@@ -365,181 +349,6 @@ void PatchTriangulation::add_corners(const std::vector<SurfaceCells>& cells)
         }
       }
     }
-  }
-}
-
-/// The point and the normal at a vertex, of the piece in which the middle of a triangle lies.
-const PatchTriangulation::Evaluated& PatchTriangulation::evaluated(
-  int vertex, const Parameter<2>& middle)
-{
-  if (this->Known.size() < this->Places.size())
-  {
-    this->Known.resize(this->Places.size());
-  }
-  Evaluated& result = this->Known[vertex];
-  if (result.valid)
-  {
-    return result;
-  }
-  const Parameter<2>& place = this->Places[vertex];
-  Sides<2> sides;
-  result.valid = true;
-  for (int i = 0; i < 2; ++i)
-  {
-    sides[i] = middle[i] < place[i] ? Side::Left : Side::Right;
-    const std::vector<Break>& breaks = this->Base.direction(i).breaks;
-    for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
-    {
-      // At kinks normals depend on the triangle.
-      result.valid = result.valid && breaks[k].at != place[i];
-    }
-  }
-  result.normal = unit_normal(this->Base, place, sides);
-  result.point = this->Base.jet(place, sides, 0).point;
-  return result;
-}
-
-bool PatchTriangulation::keeps_to_rule(int triangle)
-{
-  const std::array<Parameter<2>, 3> corner = this->corners(triangle);
-  const ParameterBox box{ corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
-    corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]) };
-  const bool near = this->Bounds.of_pieces(box).second.chord(corner) <= this->Rule.tolerance;
-  const auto& vertex = this->Mesh.triangles()[triangle].vertex;
-  const bool at_pole = std::any_of(
-    corner.begin(), corner.end(), [this](const auto& place) { return this->pole_node(place) >= 0; });
-  if (near && !at_pole && !(this->Rule.angle > 0.0))
-  {
-    return true;
-  }
-  const Parameter<2> middle = (corner[0] + corner[1] + corner[2]) / 3.0;
-  std::array<Vector3, 3> normal;
-  std::array<Vector3, 3> point;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Evaluated& evaluated = this->evaluated(vertex[k], middle);
-    normal[k] = evaluated.normal;
-    point[k] = evaluated.point;
-  }
-  double largest = 0.0;
-  double longest = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    longest = std::max(longest, (point[(k + 1) % 3] - point[k]).norm());
-  }
-  const Vector3 area = (point[1] - point[0]).cross(point[2] - point[0]);
-  const bool is_low = area.norm() <= kLow * this->Rule.tolerance * longest;
-  const Vector3 sum = normal[0] + normal[1] + normal[2];
-  if (at_pole && !this->is_collapsed(vertex) && !is_low &&
-    area.dot(sum) <= kUpright * area.norm() * sum.norm())
-  {
-    return false; // stands on the surface: a pole and two points of one line towards it
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    const int other = (k + 1) % 3;
-    const double angle = angle_between(normal[k], normal[other]);
-    largest = std::max(largest, angle);
-    if (this->Rule.angle > 0.0 && !is_low && angle > this->Rule.angle * (1.0 + 1e-9) &&
-      (point[k] - point[other]).norm() > this->Rule.tolerance)
-    {
-      return false;
-    }
-  }
-  if (near)
-  {
-    return true;
-  }
-  const Vector3 up = sum.normalized();
-  const DerivativeBounds bounds = this->Bounds.over(box, up);
-  // Of this triangle and of those beside it, twice the angle from its middle to its corners.
-  const double slope = largest < kSteepest ? std::tan(1.2 * largest) : kSteep;
-  return off_triangles(bounds.second.chord(corner), bounds.height.chord(corner), slope,
-           this->Rule.tolerance) <= 1.0;
-}
-
-bool PatchTriangulation::divide(int triangle)
-{
-  const ConstrainedDelaunay::Triangle here = this->Mesh.triangles()[triangle];
-  const std::array<Parameter<2>, 3> corner = this->corners(triangle);
-  const Parameter<2> extent = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]) -
-    corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]);
-  if (this->unit(extent).maxCoeff() <= kSmallest ||
-    this->Mesh.triangles().size() > kMostTriangles)
-  {
-    return false;
-  }
-  const Eigen::Vector2d a = this->unit(corner[1] - corner[0]);
-  const Eigen::Vector2d b = this->unit(corner[2] - corner[0]);
-  if (std::abs(a[0] * b[1] - a[1] * b[0]) <= kSmallest * kSmallest)
-  {
-    return false;
-  }
-  // The longest edge that may be divided, as the surface is bent.
-  const ParameterBox box{ corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
-    corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]) };
-  const DerivativeBounds bounds = this->Bounds.over(box);
-  const Parameter<2> speed =
-    Parameter<2>(bounds.u * bounds.u, bounds.v * bounds.v) * (1e-6 / (1e-300 + this->Base.size()));
-  Parameter<2> place = (corner[0] + corner[1] + corner[2]) / 3.0;
-  double longest = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Parameter<2>& from = corner[(i + 1) % 3];
-    const Parameter<2>& to = corner[(i + 2) % 3];
-    const Parameter<2> way = (to - from).cwiseAbs();
-    const double length =
-      8.0 * bounds.second.chord(way) + speed.dot(way.cwiseProduct(way));
-    if (here.kind[i] != EdgeKind::Fixed && length > longest)
-    {
-      longest = length;
-      place = from + 0.5 * (to - from);
-    }
-  }
-  for (const Parameter<2>& at : { place, Parameter<2>((corner[0] + corner[1] + corner[2]) / 3.0) })
-  {
-    const ConstrainedDelaunay::Place found = this->Mesh.locate(this->unit(at));
-    const ConstrainedDelaunay::Triangle& into = this->Mesh.triangles()[found.triangle];
-    const bool fixed = found.on_edge >= 0 && into.kind[found.on_edge] == EdgeKind::Fixed;
-    if (found.on_vertex < 0 && into.kept && !fixed)
-    {
-      this->Mesh.insert(this->unit(at), found);
-      this->Places.push_back(at);
-      this->Nodes.push_back(this->pole_node(at));
-      return true;
-    }
-  }
-  return false;
-}
-
-void PatchTriangulation::refine()
-{
-  std::vector<int> waiting;
-  for (std::size_t k = 0; k < this->Mesh.triangles().size(); ++k)
-  {
-    waiting.push_back(static_cast<int>(k));
-  }
-  this->Mesh.changed().clear();
-  for (std::size_t k = 0; k < waiting.size(); ++k)
-  {
-    const int triangle = waiting[k];
-    if (!this->Mesh.triangles()[triangle].kept || this->keeps_to_rule(triangle))
-    {
-      continue;
-    }
-    if (!this->divide(triangle))
-    {
-      ++this->TooCoarse;
-    }
-    std::vector<int>& changed = this->Mesh.changed();
-    if (!changed.empty())
-    {
-      changed.push_back(triangle); // also where its neighbour alone was divided
-    }
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    waiting.insert(waiting.end(), changed.begin(), changed.end());
-    changed.clear();
   }
 }
 

@@ -15,8 +15,8 @@ namespace footpoint
 /// The triangles over what is kept of a surface's domain.
 struct PatchMesh
 {
-  std::vector<Parameter<2>> places; ///< local parameters of the vertices
-  std::vector<int> nodes;           ///< of the joined edges; −1 inside
+  std::vector<Parameter<2>> places;          ///< local parameters of the vertices
+  std::vector<int> nodes;                    ///< of the joined edges; −1 inside
   std::vector<std::array<int, 3>> triangles; ///< counter-clockwise in (u, v), three different nodes
   std::size_t too_coarse = 0; ///< triangles that miss the rule and cannot be divided further
   /// Not empty: nothing else is set, since chords of these groups of edges cross each other.
@@ -24,8 +24,8 @@ struct PatchMesh
 };
 
 /// Triangulates a face in the plane of its parameters: a constrained Delaunay triangulation of its
-/// sampled edges, then of the corners of its cells, then of middles of edges until all triangles keep to
-/// the rule. Kinks are edges, so that no triangle lies on both sides of one.
+/// sampled edges, then of the corners of its cells, then of middles of edges until all triangles
+/// keep to the rule. Kinks are edges, so that no triangle lies on both sides of one.
 class PatchTriangulation
 {
 public:
@@ -53,8 +53,8 @@ private:
 
   int add(const Parameter<2>& place, int node);
   int add_boundary(const Parameter<2>& place, int node);
-  void constrain_boundary(const std::vector<const PatchEdge*>& edges,
-    const std::vector<const EdgeSamples*>& samples);
+  void constrain_boundary(
+    const std::vector<const PatchEdge*>& edges, const std::vector<const EdgeSamples*>& samples);
   void constrain_kinks(const std::vector<SurfaceCells>& cells);
   void classify();
   bool is_kept(const std::vector<int>& component) const;

@@ -11,8 +11,8 @@ namespace footpoint
 namespace
 {
 
-/// A box that needs no more parts than this in a direction is divided evenly: halves of it would have
-/// nearly the same bounds.
+/// A box that needs no more parts than this in a direction is divided evenly: halves of it would
+/// have nearly the same bounds.
 constexpr int kFewParts = 3;
 
 /// Beyond these parts in a direction the exact number does not matter, halving comes first.
@@ -44,8 +44,7 @@ public:
       return;
     }
     const auto spans = this->Bounds.spans(box);
-    const bool several =
-      spans[0][1] > spans[0][0] || spans[1][1] > spans[1][0];
+    const bool several = spans[0][1] > spans[0][0] || spans[1][1] > spans[1][0];
     if (!this->Rule.adaptive && !several)
     {
       this->Cells.push_back({ box, { { this->Rule.resolution, this->Rule.resolution } } });
@@ -56,8 +55,7 @@ public:
       : std::array<int, 2>{ { static_cast<int>(spans[0][1] - spans[0][0]) + 1,
           static_cast<int>(spans[1][1] - spans[1][0]) + 1 } };
     const int most = std::max(count[0], count[1]);
-    if (this->Rule.adaptive &&
-      (most == 1 || depth >= kDeepest || (!several && most <= kFewParts)))
+    if (this->Rule.adaptive && (most == 1 || depth >= kDeepest || (!several && most <= kFewParts)))
     {
       this->Cells.push_back({ box, count });
       return;

@@ -19,14 +19,15 @@ struct SamplingRule
   int resolution = 1;     ///< where not adaptive: segments for each knot span
 };
 
-/// How far triangles may be from the surface in height, as a part of the tolerance. Beside the boundary
-/// of a face, where chords of edges use half of the tolerance sideways, both together are within it.
+/// How far triangles may be from the surface in height, as a part of the tolerance. Beside the
+/// boundary of a face, where chords of edges use half of the tolerance sideways, both together are
+/// within it.
 constexpr double kShareOfHeights = 0.86;
 
 /// Bound of the distance of a surface from triangles that interpolate it, which are the graph of a
 /// function over a plane with normal `up` and of some slope: a point that is off its interpolant by
-/// `second` sideways and by `height` upward has a point of the triangles above or below it that differs
-/// by the slope of the way sideways. \return in parts of the tolerance
+/// `second` sideways and by `height` upward has a point of the triangles above or below it that
+/// differs by the slope of the way sideways. \return in parts of the tolerance
 inline double off_triangles(double second, double height, double slope, double tolerance)
 {
   return std::min(second, (height + slope * second) / kShareOfHeights) / tolerance;
@@ -48,10 +49,10 @@ struct SurfaceCells
   }
 };
 
-/// Divides the domain of a surface so that two triangles for each cell keep to the rule: at C0 lines,
-/// then, as long as one bound for all of a block asks for too much, at knot lines and in halves. What a
-/// region leaves out is left out. The order is that of a walk in which neighbours are near.
-/// \param region null: all is kept
+/// Divides the domain of a surface so that two triangles for each cell keep to the rule: at C0
+/// lines, then, as long as one bound for all of a block asks for too much, at knot lines and in
+/// halves. What a region leaves out is left out. The order is that of a walk in which neighbours
+/// are near. \param region null: all is kept
 std::vector<SurfaceCells> divide(
   const SurfaceBounds& bounds, const TrimRegion* region, const SamplingRule& rule);
 

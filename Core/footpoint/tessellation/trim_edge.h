@@ -12,8 +12,8 @@
 namespace footpoint
 {
 
-/// A part of the boundary of a face as a run of arcs, each beginning where the one before it ends. The
-/// parameter t counts arcs: k + f is the fraction f of arc k.
+/// A part of the boundary of a face as a run of arcs, each beginning where the one before it ends.
+/// The parameter t counts arcs: k + f is the fraction f of arc k.
 class TrimEdge
 {
 public:
@@ -24,12 +24,13 @@ public:
   /// Local parameters (u, v).
   Parameter<2> place(double t) const;
   Vector3 point(double t) const; ///< in space
-  /// Unit normal of the surface; where two arcs meet, perhaps at a kink, beside the one on that side.
+  /// Unit normal of the surface; where two arcs meet, perhaps at a kink, beside the one on that
+  /// side.
   Vector3 normal(double t, Side side) const;
   /// Whether it stands for a gap in a loop.
   bool closes_gap() const { return this->Arcs.front().closes_gap; }
-  /// The parameter between two others at which the edge is nearest to a point, from the nearest of some
-  /// samples by Gauss and Newton.
+  /// The parameter between two others at which the edge is nearest to a point, from the nearest of
+  /// some samples by Gauss and Newton.
   double nearest(const Vector3& point, double from, double to) const;
   /// Lower and upper corner of a box in space around samples.
   const std::array<Vector3, 2>& box() const { return this->Box; }
@@ -38,17 +39,16 @@ public:
   /// Where the edge crosses or leaves a C0 line of the surface: whole numbers strictly inside.
   std::vector<double> kinks() const;
 
-  /// Bound of the distance between S(c(t)) and the chord from one parameter to another, and of that of
-  /// the surface over the chord.
+  /// Bound of the distance between S(c(t)) and the chord from one parameter to another, and of that
+  /// of the surface over the chord.
   double chord(const SurfaceBounds& bounds, double from, double to) const;
 
-  /// Ascending parameters from one to another, both included, between which chords keep to half of the
-  /// rule's tolerance, so that triangles beside them have room for the other half.
+  /// Ascending parameters from one to another, both included, between which chords keep to half of
+  /// the rule's tolerance, so that triangles beside them have room for the other half.
   std::vector<double> samples(
     const SurfaceBounds& bounds, const SamplingRule& rule, double from, double to) const;
   /// Whether one chord is enough.
-  bool is_fine(
-    const SurfaceBounds& bounds, const SamplingRule& rule, double from, double to) const;
+  bool is_fine(const SurfaceBounds& bounds, const SamplingRule& rule, double from, double to) const;
 
 private:
   std::size_t arc_at(double t) const;
@@ -64,9 +64,9 @@ private:
   std::array<Vector3, 2> Box;
 };
 
-/// The edges that bound what a face keeps of its surface, seams and poles included: one for each run of
-/// arcs of a loop curve, and the parts of the domain's borders over which the region goes on.
-/// \param region null: the four sides
+/// The edges that bound what a face keeps of its surface, seams and poles included: one for each
+/// run of arcs of a loop curve, and the parts of the domain's borders over which the region goes
+/// on. \param region null: the four sides
 std::vector<TrimEdge> boundary_edges(const Surface& surface, const TrimRegion* region);
 
 } // namespace footpoint
