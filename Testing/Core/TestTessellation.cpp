@@ -129,6 +129,9 @@ TEST(Tessellation, IsNotWasteful)
     EXPECT_LE(tessellate(one(cylinder), chord(tolerance)).triangles.size(),
       4.0 * 2.0 * 1.5 * kPi / step + 8);
   }
+  // A cone is straight from its apex to its base.
+  const Model cone{ solids::cone().faces[0] };
+  EXPECT_LE(tessellate(cone, chord(1e-3)).triangles.size(), 200u);
   // A plane needs two, however it is parametrized.
   EXPECT_EQ(tessellate(one(shapes::square()), chord(1e-6)).triangles.size(), 2u);
   EXPECT_EQ(tessellate(one(trims::flat(0, 1, 0, 1, 1)), chord(1e-6)).triangles.size(), 2u);

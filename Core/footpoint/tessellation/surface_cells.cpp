@@ -117,14 +117,15 @@ private:
     }
     const Turns turns = this->turns(box);
     bounds = this->Bounds.over(box, turns.up);
-    const auto enough = [&](int n, int m)
+    const auto off = [&](int n, int m)
     {
       // Twice the angle from the middle of a cell to its corners: samples may miss something.
       const double angle = std::hypot(turns.angle[0] / n, turns.angle[1] / m);
       const Parameter<2> cell(extent[0] / n, extent[1] / m);
       return off_triangles(bounds.second.chord(cell), bounds.height.chord(cell),
-               angle < kHalfTurn ? std::tan(angle) : kSteep, this->Rule.tolerance) <= 1.0;
+        angle < kHalfTurn ? std::tan(angle) : kSteep, this->Rule.tolerance);
     };
+    const auto enough = [&](int n, int m) { return off(n, m) <= 1.0; };
     std::array<int, 2> best{ { kManyParts, kManyParts } };
     if (!enough(kManyParts, kManyParts))
     {
@@ -141,10 +142,10 @@ private:
       {
         --m;
       }
-      // Of equal products the squarer one.
+      // Of equal products the nearer one.
       if (enough(n, m) &&
         (n * m < best[0] * best[1] ||
-          (n * m == best[0] * best[1] && std::max(n, m) < std::max(best[0], best[1]))))
+          (n * m == best[0] * best[1] && off(n, m) < off(best[0], best[1]))))
       {
         best = { { n, m } };
       }

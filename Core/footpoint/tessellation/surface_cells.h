@@ -20,9 +20,9 @@ struct SamplingRule
 };
 
 /// How far triangles may be from the surface in height, as a part of the tolerance. Beside the
-/// boundary of a face, where chords of edges use half of the tolerance sideways, both together are
-/// within it.
-constexpr double kShareOfHeights = 0.86;
+/// boundary of a face, where chords of edges use a quarter of the tolerance sideways, both together
+/// are within it.
+constexpr double kShareOfHeights = 0.96;
 
 /// Bound of the distance of a surface from triangles that interpolate it, which are the graph of a
 /// function over a plane with normal `up` and of some slope: a point that is off its interpolant by

@@ -21,7 +21,7 @@ constexpr int kSteps = 30;
 constexpr int kNormals = 5;
 
 /// Of the tolerance, what chords may use.
-constexpr double kShareOfChords = 0.5;
+constexpr double kShareOfChords = 0.25;
 
 /// A joint of arcs this near to a knot line, as a part of the domain, lies on it.
 constexpr double kJointRounding = 1e-14;
