@@ -2,7 +2,7 @@
 # Builds everything and runs every test, on a fresh Debian 12 too: installs packages where any are
 # missing (as root or through sudo), then configures, builds and tests
 #   build/vtk       against VTK 9.1
-#   build/paraview  against ParaView 5.11
+#   build/paraview  against ParaView 5.11, without the tests that know no VTK
 #   build/sanitize  Core alone, with address and undefined-behaviour sanitizers
 #   build/sanitize-threads  Core alone, with the thread sanitizer
 # Goes on after a failure, sums up at the end, and exits with 1 if anything failed.
