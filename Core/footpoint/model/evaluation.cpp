@@ -4,6 +4,7 @@
 #include "footpoint/solvers/foot_conditions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace footpoint
 {
@@ -16,13 +17,22 @@ constexpr double kParallel = 1e-9;
 /// How far inside the domain the normal is taken where even its derivative vanishes.
 constexpr double kInside = 1e-4;
 
+/// A power of two that makes a surface about as large as 1: products of derivatives of a very small
+/// or large one would leave the range of numbers; nothing is rounded by it.
+double unit_scale(const ParametricSurface& surface)
+{
+  const double size = surface.size();
+  return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
+}
+
 /// S_u × S_v where it is more than rounding, else zero.
-Vector3 regular_normal(const ParametricSurface& surface, const Jet<2>& jet)
+/// \param jet, scale of the surface times scale
+Vector3 regular_normal(const ParametricSurface& surface, const Jet<2>& jet, double scale)
 {
   const Vector3 u = jet.first.col(0);
   const Vector3 v = jet.first.col(1);
-  const bool stalled = u.norm() <= kStalledSpeed * surface.direction(0).speed ||
-    v.norm() <= kStalledSpeed * surface.direction(1).speed;
+  const bool stalled = u.norm() <= kStalledSpeed * (surface.direction(0).speed * scale) ||
+    v.norm() <= kStalledSpeed * (surface.direction(1).speed * scale);
   const Vector3 normal = u.cross(v);
   const bool parallel = normal.norm() <= kParallel * u.norm() * v.norm();
   return stalled || parallel ? Vector3(Vector3::Zero()) : Vector3(normal.normalized());
@@ -132,13 +142,16 @@ Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const 
 
 Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides)
 {
-  const Jet<2> jet = surface.jet(t, sides, 2);
-  const Vector3 normal = regular_normal(surface, jet);
+  const double scale = unit_scale(surface);
+  Jet<2> jet = surface.jet(t, sides, 2);
+  jet.first *= scale;
+  jet.second *= scale;
+  const Vector3 normal = regular_normal(surface, jet, scale);
   if (!normal.isZero())
   {
     return normal;
   }
-  const double area = surface.direction(0).speed * surface.direction(1).speed;
+  const double area = (surface.direction(0).speed * scale) * (surface.direction(1).speed * scale);
   for (const Parameter<2>& along : inward(surface, t))
   {
     const Vector3 derivative = normal_derivative(jet, along);
@@ -149,7 +162,9 @@ Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, con
   }
   for (const Parameter<2>& along : inward(surface, t))
   {
-    const Vector3 nearby = regular_normal(surface, surface.jet(t + kInside * along, sides, 1));
+    Jet<2> inside = surface.jet(t + kInside * along, sides, 1);
+    inside.first *= scale;
+    const Vector3 nearby = regular_normal(surface, inside, scale);
     if (!nearby.isZero())
     {
       return nearby;

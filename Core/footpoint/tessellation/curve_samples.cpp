@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/tessellation/curve_samples.h"
 
+#include "footpoint/common/errors.h"
 #include "footpoint/model/evaluation.h"
 #include "footpoint/tessellation/derivative_bounds.h"
 
@@ -27,6 +28,10 @@ public:
     for (std::size_t k = 0; k + 1 < this->Knots.size(); ++k)
     {
       this->Bounds.push_back(second_derivative_bound(curve, this->Knots[k], this->Knots[k + 1]));
+      if (rule.adaptive && !std::isfinite(this->Bounds.back()))
+      {
+        throw GeometryError(GeometryDefect::Format, "its derivatives are too large for numbers");
+      }
     }
   }
 
@@ -35,9 +40,10 @@ public:
   {
     const auto first = std::upper_bound(this->Knots.begin(), this->Knots.end(), from);
     const auto last = std::lower_bound(this->Knots.begin(), this->Knots.end(), to);
-    const double ratio = this->chord(from, to) / this->Rule.tolerance;
+    const double chord = this->chord(from, to);
     const double angle = this->angle(from, to);
-    if (depth >= kDeepest || (ratio <= 1.0 && angle <= 1.0))
+    // Not by their ratio: a curve that is a point has no size, and so a tolerance of 0.
+    if (depth >= kDeepest || (chord <= this->Rule.tolerance && angle <= 1.0))
     {
       places.push_back({ to, Side::Left });
       return;
@@ -53,7 +59,8 @@ public:
     }
     else
     {
-      const double wanted = std::max({ 2.0, std::ceil(std::sqrt(ratio)), std::ceil(angle) });
+      const double wanted =
+        std::max({ 2.0, std::ceil(std::sqrt(chord / this->Rule.tolerance)), std::ceil(angle) });
       const double parts = wanted <= kFewParts ? wanted : 2.0;
       for (double i = 1.0; i < parts; i += 1.0)
       {

@@ -263,6 +263,16 @@ void SurfaceBounds::prepare_row(std::size_t row)
   }
 }
 
+bool SurfaceBounds::finite() const
+{
+  return std::all_of(this->Pieces.begin(), this->Pieces.end(),
+    [](const DerivativeBounds& piece)
+    {
+      const SecondBounds& second = piece.second;
+      return std::isfinite(piece.u + piece.v + second.uu + second.uv + second.vv);
+    });
+}
+
 std::array<std::array<std::size_t, 2>, 2> SurfaceBounds::spans(const ParameterBox& box) const
 {
   std::array<std::array<std::size_t, 2>, 2> result;

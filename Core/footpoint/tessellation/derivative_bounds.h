@@ -67,6 +67,8 @@ public:
   std::size_t rows() const { return this->Knots[1].size() - 1; }
   /// Computes what over() needs for a row of knot spans; rows may be computed at once by threads.
   void prepare_row(std::size_t row);
+  /// Whether the bounds of all pieces are numbers, once all rows are prepared.
+  bool finite() const;
 
   /// Over a box: of restricted pieces where it touches few, else of whole ones.
   /// \param up the unit vector of heights; where whole pieces are taken heights are those of the

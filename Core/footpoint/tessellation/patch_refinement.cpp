@@ -77,12 +77,12 @@ bool PatchTriangulation::keeps_to_rule(int triangle)
   }
   const Parameter<2> middle = (corner[0] + corner[1] + corner[2]) / 3.0;
   std::array<Vector3, 3> normal;
-  std::array<Vector3, 3> point;
+  std::array<Vector3, 3> point; // in tolerances: areas of tiny models would be no numbers
   for (int k = 0; k < 3; ++k)
   {
     const Evaluated& evaluated = this->evaluated(vertex[k], middle);
     normal[k] = evaluated.normal;
-    point[k] = evaluated.point;
+    point[k] = evaluated.point / this->Rule.tolerance;
   }
   double largest = 0.0;
   double longest = 0.0;
@@ -91,7 +91,7 @@ bool PatchTriangulation::keeps_to_rule(int triangle)
     longest = std::max(longest, (point[(k + 1) % 3] - point[k]).norm());
   }
   const Vector3 area = (point[1] - point[0]).cross(point[2] - point[0]);
-  const bool is_low = area.norm() <= kLow * this->Rule.tolerance * longest;
+  const bool is_low = area.norm() <= kLow * longest;
   const Vector3 sum = normal[0] + normal[1] + normal[2];
   if (at_pole && !this->is_collapsed(vertex) && !is_low &&
     area.dot(sum) <= kUpright * area.norm() * sum.norm())
@@ -104,7 +104,7 @@ bool PatchTriangulation::keeps_to_rule(int triangle)
     const double angle = angle_between(normal[k], normal[other]);
     largest = std::max(largest, angle);
     if (this->Rule.angle > 0.0 && !is_low && angle > this->Rule.angle * (1.0 + 1e-9) &&
-      (point[k] - point[other]).norm() > this->Rule.tolerance)
+      (point[k] - point[other]).norm() > 1.0)
     {
       return false;
     }
@@ -113,10 +113,13 @@ bool PatchTriangulation::keeps_to_rule(int triangle)
   {
     return true;
   }
+  // Where there is no normal nothing tells that triangles are a graph over a plane.
+  const bool graph =
+    std::none_of(normal.begin(), normal.end(), [](const Vector3& at) { return at.isZero(); });
   const Vector3 up = sum.normalized();
   const DerivativeBounds bounds = this->Bounds.over(box, up);
   // Of this triangle and of those beside it, twice the angle from its middle to its corners.
-  const double slope = largest < kSteepest ? std::tan(1.2 * largest) : kSteep;
+  const double slope = graph && largest < kSteepest ? std::tan(1.2 * largest) : kSteep;
   return off_triangles(bounds.second.chord(corner), bounds.height.chord(corner), slope,
            this->Rule.tolerance) <= 1.0;
 }

@@ -104,6 +104,7 @@ private:
     std::array<double, 2> angle{ { 0.0, 0.0 } };  ///< along u, along v
     std::array<double, 2> length{ { 0.0, 0.0 } }; ///< of the box in space
     Vector3 up;                                   ///< the normal in the middle
+    bool graph = true;                            ///< no sample is without a normal
   };
 
   /// The least numbers of even parts with which the bounds hold, and the angles.
@@ -123,7 +124,7 @@ private:
       const double angle = std::hypot(turns.angle[0] / n, turns.angle[1] / m);
       const Parameter<2> cell(extent[0] / n, extent[1] / m);
       return off_triangles(bounds.second.chord(cell), bounds.height.chord(cell),
-        angle < kHalfTurn ? std::tan(angle) : kSteep, this->Rule.tolerance);
+        turns.graph && angle < kHalfTurn ? std::tan(angle) : kSteep, this->Rule.tolerance);
     };
     const auto enough = [&](int n, int m) { return off(n, m) <= 1.0; };
     std::array<int, 2> best{ { kManyParts, kManyParts } };
@@ -170,6 +171,7 @@ private:
     const Parameter<2> extent = box.extent();
     Vector3 normals[3][3];
     Vector3 points[3][3];
+    Turns turns;
     for (int j = 0; j < 3; ++j)
     {
       for (int i = 0; i < 3; ++i)
@@ -178,9 +180,9 @@ private:
         const Sides<2> sides(i == 2 ? Side::Left : Side::Right, j == 2 ? Side::Left : Side::Right);
         normals[j][i] = unit_normal(surface, at, sides);
         points[j][i] = surface.jet(at, sides, 0).point;
+        turns.graph = turns.graph && !normals[j][i].isZero();
       }
     }
-    Turns turns;
     turns.up = normals[1][1];
     for (int k = 0; k < 3; ++k)
     {

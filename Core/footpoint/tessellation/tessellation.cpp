@@ -83,8 +83,11 @@ Tessellator::Tessellator(
 {
   check(options);
   this->Rule.adaptive = options.mode == TessellationMode::Adaptive;
-  this->Rule.tolerance =
-    options.absolute ? options.chord_tolerance : options.chord_tolerance * this->Size;
+  // Fixed takes no notice of the option, but gaps have to be small against something.
+  const bool absolute = this->Rule.adaptive && options.absolute;
+  this->Rule.tolerance = absolute
+    ? options.chord_tolerance
+    : this->Size * (this->Rule.adaptive ? options : TessellationOptions()).chord_tolerance;
   this->Rule.angle = options.angle_tolerance;
   this->Rule.resolution = options.resolution;
   for (std::size_t k = 0; k < model.size(); ++k)
@@ -160,14 +163,26 @@ bool Tessellator::prepare()
     [&](std::size_t k)
     {
       Work& work = this->Works[k];
-      if (work.bounds && this->Rule.tolerance > 0.0)
+      const auto* curve = dynamic_cast<const Curve*>(work.patch->curve.get());
+      if (work.bounds && !work.bounds->finite())
+      {
+        work.problem = "its derivatives are too large for numbers";
+      }
+      else if (work.bounds && this->Rule.tolerance > 0.0)
       {
         work.cells = divide(*work.bounds, work.region, this->Rule);
         work.boundary = boundary_edges(work.bounds->surface(), work.region);
       }
-      else if (const auto* curve = dynamic_cast<const Curve*>(work.patch->curve.get()))
+      else if (curve)
       {
-        work.lines = curve_samples(*curve, this->Rule);
+        try
+        {
+          work.lines = curve_samples(*curve, this->Rule);
+        }
+        catch (const GeometryError& error)
+        {
+          work.problem = error.what();
+        }
       }
       else if (work.patch->curve)
       {
