@@ -91,7 +91,8 @@ public:
   ///@{
   /**
    * WINSLOW: the residual of the equations, against that of the start, at which they count as
-   * solved. Default: 1e-10.
+   * solved. LAPLACIAN: the largest move, as a fraction of the grid's size, at which it ends.
+   * Default: 1e-10.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
