@@ -20,9 +20,9 @@
  *   value of the cell array `FaceId` are one face, whose number that value is (in models: plus the
  *   numbers used up before); without it every cell is a face;
  * - a trimmed face: a vtkMultiBlockDataSet with the block `Surface`, a control net, and blocks
- *   `Loop 0`, `Loop 1`, …, each a vtkMultiBlockDataSet of curves in the (u, v) plane (z = 0), head to
- *   tail; a curve without `KnotsU`, or a line of vtkPolyData, is a polyline. Counter-clockwise loops
- *   keep their inside, clockwise ones are holes. Gaps in a loop are closed up to the field data
+ *   `Loop 0`, `Loop 1`, …, each a vtkMultiBlockDataSet of curves in the (u, v) plane (z = 0), head
+ * to tail; a curve without `KnotsU`, or a line of vtkPolyData, is a polyline. Counter-clockwise
+ * loops keep their inside, clockwise ones are holes. Gaps in a loop are closed up to the field data
  *   `Tolerance` of the surface (model units);
  * - a composite data set of those: a model whose faces are numbered from 0 in order; an empty
  *   block uses up its number. The field data `FaceName`, `Orientation` (−1: reversed) and
@@ -54,24 +54,25 @@
  * The input's active normals stay what they are.
  *
  * The output's field data receives statistics of SignedDistance (Distance on models of curves)
- * over all blocks and ranks together, without ghost and hidden points: `DistanceCount`, `DistanceMinimum`,
- * `DistanceMaximum`, `DistanceMean`, `DistanceRMS`, `DistanceStandardDeviation`,
+ * over all blocks and ranks together, without ghost and hidden points: `DistanceCount`,
+ * `DistanceMinimum`, `DistanceMaximum`, `DistanceMean`, `DistanceRMS`, `DistanceStandardDeviation`,
  * `DistancePercentile95` (of the absolute distance, nearest rank), `StatusCounts` (6 values) and
  * `OutOfToleranceFraction` (see SetDeviationTolerance()). `OpenEdges` is the number of borders of
  * faces without a neighbour: where it is 0 and the normals point outward, as on a solid, negative
- * distances are inside. At edges and vertices the sign is that of the sum of the normals of all faces
- * that meet there, weighted by their angles (J. A. Bærentzen and H. Aanæs 2005).
+ * distances are inside. At edges and vertices the sign is that of the sum of the normals of all
+ * faces that meet there, weighted by their angles (J. A. Bærentzen and H. Aanæs 2005).
  *
  * **Output port 1**: the foot points as vtkPolyData, of points with a foot only, with the same
  * arrays, `PointId` (the point's number in its block) and, for composite inputs, `BlockId` (the
  * block's flat composite index). See SetFootSegments(), SetAllFeet() and SetFixedDirection().
- * `Normal` is the active normals. Where every point has just one row, both outputs share the arrays,
- * and `ClosestPoint` its numbers with the points.
+ * `Normal` is the active normals. Where every point has just one row, both outputs share the
+ * arrays, and `ClosestPoint` its numbers with the points.
  *
  * **Output port 2**: a vtkTable with a row for every face: `FaceId`, `Name`, `Count` of points
  * whose foot is on the face, and of their SignedDistance (curves: Distance) `Minimum`, `Maximum`,
  * `MaximumAbsolute`, `Mean`, `RMS`, `StandardDeviation`, `Percentile95`, `OutOfToleranceFraction`;
- * and, in model units, the face's `Tolerance` and the `LargestGap` that was closed in its trim loops.
+ * and, in model units, the face's `Tolerance` and the `LargestGap` that was closed in its trim
+ * loops.
  *
  * If the input has a point array `SeedParameters` (1 or 2 components), its values are tried as
  * starting parameters (not for the nearest point of Search GLOBAL, which needs none), on the face
@@ -79,22 +80,23 @@
  * automatic starts. Otherwise results depend neither on the order of points nor on the number of
  * threads and ranks, bit for bit; see SetWarmStart().
  *
- * **Threads**: those of vtkSMPTools. Where neither a back end nor a number of threads was chosen, by
- * the program or by VTK_SMP_BACKEND_IN_USE and VTK_SMP_MAX_THREADS, a single process uses all cores
- * also where VTK is sequential by default, and several on a machine share its cores out.
+ * **Threads**: those of vtkSMPTools. Where neither a back end nor a number of threads was chosen,
+ * by the program or by VTK_SMP_BACKEND_IN_USE and VTK_SMP_MAX_THREADS, a single process uses all
+ * cores also where VTK is sequential by default, and several on a machine share its cores out.
  *
- * **Ranks** (see SetController()): points are distributed, each rank inverts its own; the geometry is
- * the same for all. Where not all ranks have the same source, which they compare by content, the
+ * **Ranks** (see SetController()): points are distributed, each rank inverts its own; the geometry
+ * is the same for all. Where not all ranks have the same source, which they compare by content, the
  * parts are sent to all and put together: an empty or missing source or block gives way to that of
  * another rank, parts of one control net (equal field data, another extent) become the net again,
- * Bézier cells of all ranks follow each other, and what else differs stands side by side in the order
- * of the ranks, which numbers the faces. Statistics are those of the points of all ranks: on every
- * rank in the field data, on rank 0 in the table, whose columns are empty on the others. The bits of
- * all results are the same for any number of ranks; points that several ranks have, as at the borders
- * of pieces without ghost marks, count several times in statistics. An error on one rank is an error
- * on all, and an abort ends all. As with every VTK filter that communicates, all ranks have to update
- * it, with data or without, and all or none have to have something new (else call Modified() on all):
- * where VTK does not run it on one, or its input failed there, the others wait.
+ * Bézier cells of all ranks follow each other, and what else differs stands side by side in the
+ * order of the ranks, which numbers the faces. Statistics are those of the points of all ranks: on
+ * every rank in the field data, on rank 0 in the table, whose columns are empty on the others. The
+ * bits of all results are the same for any number of ranks; points that several ranks have, as at
+ * the borders of pieces without ghost marks, count several times in statistics. An error on one
+ * rank is an error on all, and an abort ends all. As with every VTK filter that communicates, all
+ * ranks have to update it, with data or without, and all or none have to have something new (else
+ * call Modified() on all): where VTK does not run it on one, or its input failed there, the others
+ * wait.
  *
  * Bad geometry is an error that names the array, the index and the value; the outputs are empty.
  * Where a model has good faces besides, there is a warning instead, the bad face is left out (its
@@ -206,7 +208,9 @@ public:
    * WarmStart; TrustRadius, MaximumIterations, ColumnScaling, IsocurveFallback and the tolerances
    * of the iteration reach only the descents that settle feet on borders, kinks and poles, and
    * those that are tried where the proof does not succeed (there Method acts, too). All of them act
-   * with SEEDED and LOCAL, and where AllFeet, OrthogonalOnly or FixedDirection is set.
+   * with SEEDED and LOCAL. Method and the options of the iteration also act where AllFeet,
+   * OrthogonalOnly or FixedDirection is set, and on parametric functions, where `SeedParameters`
+   * and WarmStart are further starts. SeedResolution and NumberOfSeeds never act with GLOBAL.
    */
   vtkSetClampMacro(Search, int, GLOBAL, LOCAL);
   vtkGetMacro(Search, int);

@@ -14,10 +14,9 @@
  *
  * | array        | of     | type      | meaning                                                   |
  * |--------------|--------|-----------|-----------------------------------------------------------|
- * | `Normals`    | points | double, 3 | unit normal of the surface, at poles its limit; 0 on
- * curves; active normals; only where there are surfaces | | `Parameters` | points | double, 2 | (u,
- * v) in the patch's own domain; curves (u, 0); active texture coordinates | | `FaceId`     | cells
- * | vtkIdType | the face, counted from 0                                  |
+ * | `Normals`    | points | double, 3 | unit normals, at poles their limits; active normals       |
+ * | `Parameters` | points | double, 2 | (u, v) in the patch's own domain; active tex. coordinates |
+ * | `FaceId`     | cells  | vtkIdType | the face, counted from 0                                  |
  *
  * `Normals` is there where the geometry has surfaces, and 0 on curves, whose parameters are (u, 0).
  *
