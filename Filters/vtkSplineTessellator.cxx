@@ -22,6 +22,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 using namespace footpoint::conversion;
@@ -169,6 +170,11 @@ int vtkSplineTessellator::RequestData(
   try
   {
     result = footpoint::tessellate(converted.model, options, make_execution(this));
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for that many triangles.");
+    return 0;
   }
   catch (const std::invalid_argument& error)
   {
