@@ -35,6 +35,9 @@
  * a warning; where no face is left that is an error. Cells of more than 512 points, as of degrees
  * (22, 22), are made with a warning, as not all filters of VTK have room for them.
  *
+ * The output is empty for piece > 0: of geometry whose parts are on several ranks only the first
+ * rank's is seen.
+ *
  * ParaView draws these cells as exactly as its NonlinearSubdivisionLevel says; 1, the default,
  * looks faceted. VTK's own closest point on such cells is not exact; vtkPointInversionFilter's is.
  *

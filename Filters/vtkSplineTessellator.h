@@ -29,7 +29,8 @@
  *
  * A face that cannot be triangulated (its loops cross themselves, or it is thinner than the
  * tolerances) is left out, and a warning names it. Results have the same bits for any number of
- * threads. The output is empty for piece > 0.
+ * threads. The output is empty for piece > 0: of geometry whose parts are on several ranks only the
+ * first rank's is seen.
  *
  * Field data `ChordTolerance`: the tolerance in model units; 0 with Fixed.
  *
