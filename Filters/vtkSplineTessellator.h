@@ -12,20 +12,23 @@
  * **Output**: vtkPolyData with a polyline for every curve and triangles for every surface,
  * counter-clockwise against its normal (which follows the face's `Orientation`), positions double.
  *
- * | array        | of     | type      | meaning                                                   |
- * |--------------|--------|-----------|-----------------------------------------------------------|
- * | `Normals`    | points | double, 3 | unit normals, at poles their limits; active normals       |
- * | `Parameters` | points | double, 2 | (u, v) in the patch's own domain; active tex. coordinates |
- * | `FaceId`     | cells  | vtkIdType | the face, counted from 0                                  |
+ * | array        | of     | type      | meaning                                         |
+ * |--------------|--------|-----------|-------------------------------------------------|
+ * | `Normals`    | points | double, 3 | unit normal of the surface, at poles its limit  |
+ * | `Parameters` | points | double, 2 | (u, v) in the patch's own domain                |
+ * | `FaceId`     | cells  | vtkIdType | the face, counted from 0                        |
  *
- * `Normals` is there where the geometry has surfaces, and 0 on curves, whose parameters are (u, 0).
+ * `Normals` are the active normals, there where the geometry has surfaces, and 0 on curves, whose
+ * `Parameters`, the active texture coordinates, are (u, 0).
  *
- * With Adaptive the distance between the geometry and its triangles or lines is at most
- * ChordTolerance: that is proved by bounds of the second derivatives, not sampled. Where borders of
- * faces meet (as near as 1e-6 of the size of the model, or the field data `Tolerance` of a face)
- * their points have the same coordinates, bit for bit, so that vtkCleanPolyData with tolerance 0
- * makes a closed mesh of a closed solid. Points are not shared between faces, nor between the two
- * sides of a seam or of a kink, where parameters or normals differ.
+ * With Adaptive the distance between the geometry and its triangles or lines is kept within
+ * ChordTolerance by bounds of the second derivatives, not by samples. For lines that is a proof. For
+ * triangles it is one but for their slope, by which what lies beside the normal counts: it is
+ * measured at their corners, with a margin. Where borders of faces meet (as near as 1e-6 of the size
+ * of the model, or the field data `Tolerance` of a face) their points have the same coordinates, bit
+ * for bit, and may be off by as much more; vtkCleanPolyData with tolerance 0 makes a closed mesh of
+ * a closed solid. Points are not shared between faces, nor between the two sides of a seam or of a
+ * kink, where parameters or normals differ.
  *
  * A face that cannot be triangulated (its loops cross themselves, or it is thinner than the
  * tolerances) is left out, and a warning names it. Results have the same bits for any number of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Triangles of a face with a hole, with a proved tolerance, for everything that takes polygons."""
+"""Triangles of a face with a hole, to a chord tolerance, for everything that takes polygons."""
 
 import footpoint
 import numpy as np

@@ -12,7 +12,7 @@ In NumPy terms
     invert                       points -> feet, parameters, distances, statistics
     evaluate                     parameters -> points, the inverse
     bezier_cells                 geometry -> cells that VTK draws, which are geometry in turn
-    tessellate                   geometry -> triangles and polylines to a proved tolerance
+    tessellate                   geometry -> triangles and polylines to a chord tolerance
     coons_patch                  four boundary polylines -> structured grid
     coons_surface                four NURBS curves -> the Coons surface as a NURBS surface
     gordon_surface               network of NURBS curves -> NURBS surface through it

@@ -7,7 +7,7 @@ from .vtkFootpointFilters import vtkSplineTessellator
 
 
 def tessellate(geometry, **options):
-    """Triangles of surfaces and polylines of curves, with exact normals, to a proved tolerance.
+    """Triangles of surfaces and polylines of curves, with exact normals, to a chord tolerance.
 
     Parameters
     ----------
@@ -18,7 +18,9 @@ def tessellate(geometry, **options):
         Adaptive (as densely as the tolerances ask for) or Fixed (`resolution` segments for each knot
         span).
     chord_tolerance : float, default 0.001
-        Largest distance between geometry and output, as a fraction of the size of the model.
+        Largest distance between geometry and output, as a fraction of the size of the model. It is
+        kept by bounds of second derivatives; only the slope of triangles, which counts in a small
+        part of the bound, is measured, at their corners and with a margin.
     absolute_tolerance : bool, default False
         `chord_tolerance` is in model units.
     angle_tolerance : float, default 30.0
