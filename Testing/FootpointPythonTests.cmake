@@ -22,6 +22,7 @@ function (footpoint_add_python_tests prefix pattern)
     add_test(NAME "${prefix}.${name}" COMMAND "${footpoint_python}" "${program}" ${ARGN})
     set_tests_properties("${prefix}.${name}" PROPERTIES
       SKIP_RETURN_CODE ${footpoint_skip_code}
+      TIMEOUT 300
       ENVIRONMENT "${footpoint_test_environment};FOOTPOINT_TEST_OUTPUT=${footpoint_test_output};PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${CMAKE_BINARY_DIR}/${footpoint_python_dir}:${footpoint_vtk_python_dir}")
   endforeach ()
 endfunction ()
