@@ -78,6 +78,10 @@ class Proxies(unittest.TestCase):
         )
         gordon.UpdatePipeline()
         self.assertEqual(servermanager.Fetch(gordon).GetDimensions(), (2, 2, 1))
+        view = simple.CreateRenderView()
+        self.addCleanup(simple.Delete, view)  # its window, before the X connection closes
+        for net in (surface, gordon):
+            self.assertEqual(simple.Show(net, view).Representation, "Wireframe")
         e, f = [0, 2, 0], [2, 2, 0]
         gordon.Input = [curve([a, b]), curve([e, f])]
         gordon.Guides = [curve([a, e]), curve([b, f])]

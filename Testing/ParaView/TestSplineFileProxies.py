@@ -74,6 +74,14 @@ class SplineFiles(unittest.TestCase):
         inversion.UpdatePipeline()
         self.assertTrue(inversion.PointData.keys().count("Distance"))
 
+    def test_nets_are_shown_as_lines(self):
+        path = str(OUTPUT / "proxy_shown.g2")
+        footpoint.write_splines([surface()], path)
+        view = simple.CreateRenderView()
+        self.addCleanup(simple.Delete, view)  # its window, before the X connection closes
+        shown = simple.Show(simple.SplineFileReader(FileName=path), view)
+        self.assertEqual(shown.Representation, "Wireframe")
+
 
 if __name__ == "__main__":
     simple.LoadPlugin(os.environ["FOOTPOINT_PLUGIN"], remote=False, ns=vars(simple))
