@@ -197,7 +197,7 @@ class Panel:
                 edit.setFocus()
                 edit.selectAll()
                 QTest.keyClicks(edit, f"{number:g}")
-                QTest.keyClick(edit, Qt.Key_Tab)
+                QTest.keyClick(edit, Qt.Key_Return)
         settle()
 
     def show_top(self):

@@ -19,6 +19,20 @@ import window  # noqa: E402
 ALONG_Z, NONE = [0, 0, 1], [0, 0, 0]
 SEARCHES = ["Seeded", "Local", "Global"]
 SMOOTHINGS = ["Auto", "Laplacian", "Winslow", "None"]
+#: Of each shape the options that act. The default is last, so that every step is a change.
+SHAPES = {
+    "Cylinder": {"Radius", "Height", "Capping"},
+    "Cone": {"Radius", "Height", "Capping"},
+    "Torus": {"Radius", "CrossSectionRadius"},
+    "Wing": {"AirfoilDigits", "Chord", "Span", "TaperRatio", "SweepAngle", "BluntTrailingEdge",
+             "Capping"},
+    "ShipHull": {"Length", "Beam", "Draft", "Capping"},
+    "Teapot": set(),
+    "Bumpy": {"Size", "Amplitude", "Resolution", "Seed"},
+    "Circle": {"Radius"},
+    "Helix": {"Radius", "Height", "Turns", "HelixTolerance"},
+    "Sphere": {"Radius"},
+}
 
 
 def uses_method(s):
@@ -59,6 +73,20 @@ SHOWN = {
         "Tolerance": lambda s: s["Method"] != "None",
         "Boundary": lambda s: s["Method"] != "None",
         "ControlFunctions": lambda s: s["Method"] in ("Auto", "Winslow"),
+    }),
+    "SplineTessellator": ({
+        "Mode": ["Fixed", "Adaptive"]
+    }, {
+        "ChordTolerance": lambda s: s["Mode"] == "Adaptive",
+        "AbsoluteTolerance": lambda s: s["Mode"] == "Adaptive",
+        "AngleTolerance": lambda s: s["Mode"] == "Adaptive",
+        "Resolution": lambda s: s["Mode"] == "Fixed",
+    }),
+    "NURBSShapeSource": ({
+        "Shape": list(SHAPES)
+    }, {
+        option: lambda s, option=option: option in SHAPES[s["Shape"]]
+        for option in sorted(set().union(*SHAPES.values()))
     }),
     "CADReader": ({
         "GenerateMesh": [False, True]

@@ -12,7 +12,7 @@ import unittest
 
 import numpy as np
 from paraview import servermanager, simple, smtrace
-from PyQt5.QtWidgets import QTextBrowser
+from PyQt5.QtWidgets import QLabel, QTextBrowser
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -49,6 +49,12 @@ def fetch(proxy, name):
     return vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
+def centres(mesh):
+    """Of the triangles of a mesh."""
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    return vtk_to_numpy(mesh.GetPoints().GetData())[corners].mean(axis=1)
+
+
 def shown_ports(source):
     """The outputs of a source that the view shows."""
     inputs = [r.SMProxy.GetProperty("Input") for r in simple.GetActiveView().Representations
@@ -78,7 +84,7 @@ class Window(unittest.TestCase):
         return simple.GetActiveSource()
 
     def test_menus(self):
-        """Every filter is in the category, readers are not."""
+        """Every filter and source is in the category, readers are not."""
         expected = {"filters": set(), "sources": set()}
         for name, proxy in proxies().items():
             if proxy.find("Hints/ShowInMenu") is not None and \
@@ -86,10 +92,68 @@ class Window(unittest.TestCase):
                 group = "sources" if hasattr(servermanager.sources, name) and \
                     not hasattr(servermanager.filters, name) else "filters"
                 expected[group].add(proxy.get("label"))
-        self.assertGreaterEqual(len(expected["filters"]), 7)
+        self.assertGreaterEqual(len(expected["filters"]), 9)
+        self.assertLessEqual({"Spline Tessellator", "Bezier Extraction"}, expected["filters"])
+        self.assertIn("NURBS Shape Source", expected["sources"])
         self.assertEqual(set(window.labels("Filters", "Footpoint")), expected["filters"])
-        if expected["sources"]:
-            self.assertEqual(set(window.labels("Sources", "Footpoint")), expected["sources"])
+        self.assertEqual(set(window.labels("Sources", "Footpoint")), expected["sources"])
+
+    def shape(self):
+        """The default of Sources > Footpoint > NURBS Shape Source, a sphere: its net."""
+        window.menu("Sources", "Footpoint", "NURBS Shape Source").trigger()
+        window.settle()
+        shape = simple.GetActiveSource()
+        self.assertEqual(shape.GetXMLName(), "NURBSShapeSource")
+        self.panel.apply()
+        return shape
+
+    def make(self, label):
+        """A filter of the active source by the menu, applied."""
+        window.menu("Filters", "Footpoint", label).trigger()
+        window.settle()
+        self.panel.apply()
+        return simple.GetActiveSource()
+
+    def display(self, source):
+        return simple.GetDisplayProperties(source, simple.GetActiveView())
+
+    def test_shape_is_shown_as_net(self):
+        """As lines, not as if the net were the surface, and the panel says so."""
+        shape = self.shape()
+        self.assertEqual(shown_ports(shape), [0])
+        self.assertEqual(self.display(shape).Representation, "Wireframe")
+        said = " ".join(label.text() for label in self.panel.widget.findChildren(QLabel)
+                        if label.isVisible())
+        self.assertIn("Spline Tessellator", said)
+
+    def test_shape_as_triangles(self):
+        """Spline Tessellator shows the sphere in place of its net."""
+        shape = self.shape()
+        mesh = self.make("Spline Tessellator")
+        self.assertEqual(mesh.GetXMLName(), "SplineTessellator")
+        self.assertEqual((shown_ports(shape), shown_ports(mesh)), ([], [0]))
+        self.assertEqual(self.display(mesh).Representation, "Surface")
+        coarse = mesh.GetDataInformation().GetNumberOfCells()
+        self.panel.set("ChordTolerance", 1e-5)
+        self.panel.apply()
+        self.assertGreater(mesh.GetDataInformation().GetNumberOfCells(), 20 * coarse)
+        triangles = mesh.GetClientSideObject().GetOutputDataObject(0)
+        tolerance = 1e-5 * 2 * 3**0.5  # of the diagonal of the net's box
+        self.assertGreater(np.linalg.norm(centres(triangles), axis=1).min(), 1.0 - tolerance)
+
+    def test_shape_as_bezier_cells(self):
+        """Nonlinear Subdivision Level, an advanced option of the display, makes cells smooth."""
+        self.shape()
+        cells = self.make("Bezier Extraction")
+        display = self.display(cells)
+        self.assertEqual(display.Representation, "Surface")
+        self.panel.show_advanced()
+        self.panel.set("NonlinearSubdivisionLevel", 4)
+        self.panel.show_advanced(False)
+        self.assertEqual(display.NonlinearSubdivisionLevel, 4)
+        simple.Render()
+        drawn = display.GetRepresentedDataInformation()
+        self.assertGreater(drawn.GetNumberOfCells(), 1000)
 
     def test_open_cad_file(self):
         """File > Open knows the extension; Apply shows the mesh and the edges, not control nets."""
