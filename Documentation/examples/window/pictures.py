@@ -8,8 +8,8 @@ from pathlib import Path
 import sys
 
 from paraview import simple
-from PyQt5.QtCore import QPoint, QRect, Qt
-from PyQt5.QtGui import QColor
+from PyQt5.QtCore import QPoint, QRect, QSize, Qt
+from PyQt5.QtGui import QColor, QImage
 from PyQt5.QtWidgets import QApplication, QDockWidget
 
 import window
@@ -104,6 +104,38 @@ def look_at(source, part):
     window.settle()
 
 
+def picture_of_shape():
+    """A teapot: its control net, which a source shows at first, beside the surface."""
+    net = simple.NURBSShapeSource(Shape="Teapot")
+    surface = simple.SplineTessellator(Input=net)
+    layout = simple.CreateLayout("Shape")
+    for k, (source, colour) in enumerate([(net, [0.2, 0.35, 0.6]), (surface, [0.45, 0.65, 0.9])]):
+        view = simple.CreateRenderView(
+            OrientationAxesVisibility=0, Background=[1, 1, 1], UseColorPaletteForBackground=0)
+        simple.AssignViewToLayout(view, layout, k)
+        if k == 0:
+            layout.SplitHorizontal(0, 0.5)
+        display = simple.Show(source, view)
+        display.AmbientColor = display.DiffuseColor = colour
+        display.LineWidth = 1.5
+        view.CameraViewUp = [0, 0, 1]
+        view.CameraFocalPoint = [0, 0, 1.5]
+        view.CameraPosition = [3, -10, 6]
+        simple.ResetCamera(view)
+        view.CameraParallelProjection = 1
+        view.CameraParallelScale = 2.5
+    name = str(FOLDER / "shape.png")
+    simple.SaveScreenshot(name, layout, ImageResolution=[900, 330], SeparatorWidth=0)
+    halves = QImage(name)
+    assert halves.size() == QSize(900, 330), halves.size()
+
+    def is_blue(c):
+        return c.blue() > c.red() + 30
+
+    left, right = (share(halves.copy(QRect(x, 0, 450, 330)), is_blue) for x in (0, 450))
+    assert 0.01 < left < 0.5 * right, f"blue {left:.3f} of the net, {right:.3f} of the surface"
+
+
 def share(image, is_wanted):
     """The fraction of the pixels that are so."""
     pixels = [QColor(image.pixel(x, y)) for x in range(0, image.width(), 2)
@@ -134,4 +166,5 @@ image = save("window.png", place(main))
 red = share(image, lambda c: c.red() > c.blue() + 60 and c.red() > c.green() + 60)
 blue = share(image, lambda c: c.blue() > c.red() + 60 and c.blue() > c.green() + 60)
 assert red > 0.01 and blue > 0.002, f"red {red:.4f}, blue {blue:.4f} of the window"
-print(f"3 pictures in {FOLDER}; red {red:.1%}, blue {blue:.1%} of the window")
+picture_of_shape()
+print(f"4 pictures in {FOLDER}; red {red:.1%}, blue {blue:.1%} of the window")
