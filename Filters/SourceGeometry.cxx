@@ -101,6 +101,33 @@ void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outpu
   }
 }
 
+bool convert_input(
+  vtkAlgorithm* filter, vtkDataObject* input, bool flip, ConvertedModel& converted)
+{
+  if (!input)
+  {
+    vtkErrorWithObjectMacro(filter, "No input geometry.");
+    return false;
+  }
+  converted = convert_to_model(input, flip);
+  for (const std::string& problem : converted.messages())
+  {
+    if (converted.empty())
+    {
+      vtkErrorWithObjectMacro(filter, << problem);
+    }
+    else
+    {
+      vtkWarningWithObjectMacro(filter, << problem << " (left out)");
+    }
+  }
+  if (converted.empty() && converted.problems.empty())
+  {
+    vtkErrorWithObjectMacro(filter, "The input has no faces.");
+  }
+  return !converted.empty();
+}
+
 void request_whole_source(vtkInformationVector** inputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Private: what all filters do with their second input, the geometry.
+// Private: what filters do with the input that is their geometry.
 
 #ifndef SourceGeometry_h
 #define SourceGeometry_h
@@ -36,6 +36,12 @@ void fill_source_port_information(vtkInformation* info);
 /// Tells of the time steps of both inputs (the executive passes on those of port 0 alone, and would not
 /// run a filter again whose geometry moves while the points stay).
 void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+/// Converts the one input of a filter that makes something else of geometry, and has the filter tell
+/// what is wrong with it: warnings name faces that are left out; where nothing is left, errors.
+/// \return false where nothing is left
+bool convert_input(
+  vtkAlgorithm* filter, vtkDataObject* input, bool flip, ConvertedModel& converted);
 
 /// Asks port 1 for the whole geometry, whichever part of the output is wanted.
 void request_whole_source(vtkInformationVector** inputs);

@@ -127,34 +127,12 @@ int vtkBezierExtraction::RequestData(
   }
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
-  if (!input || !output)
+  ConvertedModel converted;
+  if (!convert_input(this, input, false, converted))
   {
-    vtkErrorMacro("No input geometry.");
     return 0;
   }
-
-  // === Convert
-  ConvertedModel converted = convert_to_model(input, false);
   footpoint::Model& model = converted.model;
-  for (const std::string& problem : converted.messages())
-  {
-    if (converted.empty())
-    {
-      vtkErrorMacro(<< problem);
-    }
-    else
-    {
-      vtkWarningMacro(<< problem << " (left out)");
-    }
-  }
-  if (converted.empty())
-  {
-    if (converted.problems.empty())
-    {
-      vtkErrorMacro("The input has no faces.");
-    }
-    return 0;
-  }
 
   // === What cells cannot express
   const std::vector<std::size_t> trimmed = trimmed_faces(model);

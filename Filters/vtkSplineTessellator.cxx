@@ -3,7 +3,7 @@
 
 #include "AlgorithmExecution.h"
 #include "FieldArrays.h"
-#include "SplineConversion.h"
+#include "SourceGeometry.h"
 #include "StructuredOutput.h"
 
 #include "footpoint/tessellation/tessellation.h"
@@ -123,39 +123,15 @@ int vtkSplineTessellator::RequestUpdateExtent(
 int vtkSplineTessellator::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // === Validate
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (wants_nothing(request, outputs))
   {
     output->Initialize();
     return 1;
   }
-  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  if (!input)
+  ConvertedModel converted;
+  if (!convert_input(this, vtkDataObject::GetData(inputs[0]), this->FlipNormals, converted))
   {
-    vtkErrorMacro("No input geometry.");
-    return 0;
-  }
-
-  // === Convert
-  const ConvertedModel converted = convert_to_model(input, this->FlipNormals);
-  for (const std::string& problem : converted.messages())
-  {
-    if (converted.empty())
-    {
-      vtkErrorMacro(<< problem);
-    }
-    else
-    {
-      vtkWarningMacro(<< problem << " (left out)");
-    }
-  }
-  if (converted.empty())
-  {
-    if (converted.problems.empty())
-    {
-      vtkErrorMacro("The input has no faces.");
-    }
     return 0;
   }
 
