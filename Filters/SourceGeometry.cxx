@@ -128,21 +128,4 @@ bool convert_input(
   return !converted.empty();
 }
 
-void request_whole_source(vtkInformationVector** inputs)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = inputs[1]->GetInformationObject(0);
-  if (!info)
-  {
-    return;
-  }
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-}
-
 } // namespace footpoint::conversion

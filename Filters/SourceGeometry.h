@@ -43,9 +43,6 @@ void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outpu
 bool convert_input(
   vtkAlgorithm* filter, vtkDataObject* input, bool flip, ConvertedModel& converted);
 
-/// Asks port 1 for the whole geometry, whichever part of the output is wanted.
-void request_whole_source(vtkInformationVector** inputs);
-
 } // namespace footpoint::conversion
 
 #endif

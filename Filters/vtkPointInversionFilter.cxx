@@ -2,6 +2,7 @@
 #include "vtkPointInversionFilter.h"
 
 #include "PointInversionInternals.h"
+#include "StructuredOutput.h"
 
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
@@ -164,7 +165,7 @@ int vtkPointInversionFilter::RequestInformation(
 int vtkPointInversionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  request_whole_source(inputs);
+  request_whole_inputs(inputs[1]);
   return 1;
 }
 

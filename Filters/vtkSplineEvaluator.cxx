@@ -5,6 +5,7 @@
 #include "FieldArrays.h"
 #include "Ranks.h"
 #include "ReplicatedGeometry.h"
+#include "StructuredOutput.h"
 
 #include "footpoint/model/evaluation.h"
 
@@ -308,7 +309,7 @@ int vtkSplineEvaluator::RequestInformation(
 int vtkSplineEvaluator::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  request_whole_source(inputs);
+  request_whole_inputs(inputs[1]);
   return 1;
 }
 

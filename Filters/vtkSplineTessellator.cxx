@@ -106,10 +106,8 @@ const char* vtkSplineTessellator::GetModeAsString() const
 
 int vtkSplineTessellator::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite data sets are named, so that the executive hands them over whole.
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  fill_source_port_information(info);
+  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
   return 1;
 }
 

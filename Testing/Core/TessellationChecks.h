@@ -4,6 +4,8 @@
 /// Judges tessellations by what shares no code with them: distances to triangles at dense samples,
 /// edges counted by coordinates, areas and volumes.
 
+#include "ClosedSolids.h"
+
 #include "footpoint/tessellation/tessellation.h"
 
 #include <algorithm>
@@ -21,6 +23,20 @@ using footpoint::Parameter;
 using footpoint::Tessellation;
 using footpoint::TessellationOptions;
 using footpoint::Vector3;
+
+/// A model of one untrimmed surface.
+inline Model one(const footpoint::Surface& surface)
+{
+  return { solids::whole(surface) };
+}
+
+/// A model of one curve.
+inline Model one(const footpoint::Curve& curve)
+{
+  footpoint::Face face;
+  face.patches.push_back({ std::make_shared<footpoint::Curve>(curve), nullptr });
+  return { face };
+}
 
 /// Distance of a point from a triangle (C. Ericson 2005, section 5.1.5).
 inline double distance(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles and lines of untrimmed geometry.
-#include "ClosedSolids.h"
 #include "TessellationChecks.h"
 
 #include "footpoint/tessellation/derivative_bounds.h"
@@ -14,18 +13,6 @@ using namespace tessellations;
 
 namespace
 {
-
-Model one(const Surface& surface)
-{
-  return { solids::whole(surface) };
-}
-
-Model one(const Curve& curve)
-{
-  Face face;
-  face.patches.push_back({ std::make_shared<Curve>(curve), nullptr });
-  return { face };
-}
 
 const double kPi = std::acos(-1.0);
 

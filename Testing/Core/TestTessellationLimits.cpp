@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tessellation at its limits: scales, geometry that is a point, bad options, cancelling, threads.
-#include "ClosedSolids.h"
 #include "TessellationChecks.h"
 
 #include "footpoint/tessellation/derivative_bounds.h"
@@ -11,23 +10,6 @@
 
 using namespace footpoint;
 using namespace tessellations;
-
-namespace
-{
-
-Model one(const Surface& surface)
-{
-  return { solids::whole(surface) };
-}
-
-Model one(const Curve& curve)
-{
-  Face face;
-  face.patches.push_back({ std::make_shared<Curve>(curve), nullptr });
-  return { face };
-}
-
-} // namespace
 
 TEST(Tessellation, PowersOfTwoScaleAllExactly)
 {
