@@ -75,6 +75,8 @@ constexpr double kOutward = 1.0 + 32.0 * kRounding;
 /// Edges of trimmed faces are proved for this part of the tolerance, so that what is left of it is
 /// there for the faces (Documentation/CertifiedSearch.md).
 constexpr double kPartOfEdges = 0.5;
+/// And blocks for this part: when they are it is not known yet what the best foot may be off.
+constexpr double kPartOfBlock = 0.5;
 
 /// All that one query needs, over all pieces.
 class Finder
@@ -122,17 +124,7 @@ private:
     return std::min(best, this->Bound);
   }
 
-  PieceQuery at(std::int32_t index) const
-  {
-    PieceQuery query;
-    query.piece = &this->Structure.forms.pieces()[index];
-    query.index = index;
-    for (int k = 0; k < 3; ++k)
-    {
-      query.p[k] = this->P[k] - query.piece->origin[k];
-    }
-    return query;
-  }
+  PieceQuery at(std::int32_t index) const { return query_at(this->Structure, this->P, index); }
 
   /// Whether a point of a piece counts: no trim loop leaves it out.
   static bool is_kept(const Piece& piece, const Pair& t)
@@ -183,6 +175,19 @@ private:
   /// Goes to the piece whose box seems nearest, for a first bound.
   void begin();
   void begin_with(std::int32_t index, double squared);
+  /// Takes the block of the best foot for searched if that is the nearest point of it.
+  void settle();
+  /// Whether nothing within reach is left to be found in a piece.
+  bool is_settled(std::int32_t index) const { return index == this->Begun || this->in_block(index); }
+  bool in_block(std::int32_t index) const
+  {
+    bool found = false;
+    for (int k = 0; k < 9; ++k)
+    {
+      found |= this->Block.pieces[k] == index;
+    }
+    return found;
+  }
   /// Finds the pieces that may hold something within reach.
   void collect();
   /// \param squared distance of the piece's box
@@ -197,6 +202,8 @@ private:
   bool excludes(double least) const { return this->Bound < kInfinity && least >= 0.0; }
   void descend_on_candidates();
   void descend_from(const PieceQuery& query, const Pair& start);
+  /// A minimum of a piece: a survivor, and a foot if it is of interest.
+  void take(const PieceFoot& foot);
   PieceFoot foot_of(const PieceQuery& query, const Place& place, int iterations) const;
   /// Keeps a foot if it is of interest; true where it is nearer than all before by more than a tie.
   bool keep(const PieceFoot& foot);
@@ -268,6 +275,13 @@ private:
   };
   Visit Path[16];
   int Depth = 0;
+  std::int32_t Begun = -1; ///< the piece on which begin() has found the minimum
+  /// Pieces in which nothing is nearer than the best foot, or was when it was found; −1: none.
+  struct
+  {
+    HWY_ALIGN std::array<std::int32_t, 9> pieces{ { -1, -1, -1, -1, -1, -1, -1, -1, -1 } };
+    std::int32_t middle = -1;
+  } Block;
   std::int32_t Nearest = -1; ///< the piece with the point that gave Bound, and that point
   Pair NearestAt{ { 0.0, 0.0 } };
   double Tolerance = 0.0; ///< what is asked for, less what the best foot may be off
@@ -496,7 +510,10 @@ void Finder::collect()
       }
       else
       {
-        this->collect(-1 - child, squared[k]);
+        if (!this->is_settled(-1 - child))
+        {
+          this->collect(-1 - child, squared[k]);
+        }
       }
     }
   };
@@ -538,10 +555,20 @@ void Finder::begin_with(std::int32_t index, double squared)
   const double reach = query.piece->reach;
   if (squared <= kNearPiece * kNearPiece * reach * reach)
   {
-    this->descend_from(query, start);
+    PieceQuery here = query;
+    Place place;
+    place.t = start;
+    const int iterations = walk(this->Structure, this->P, here, place);
+    this->Begun = here.index == index ? index : -1; // elsewhere a better start may be known
+    this->take(this->foot_of(here, place, iterations));
+    this->settle();
     if (query.piece->region && !this->found())
     {
       this->bound_by_point(query, query.piece->kept); // the foot is trimmed away
+    }
+    if (!this->is_settled(index))
+    {
+      this->collect(index, squared);
     }
     return;
   }
@@ -647,8 +674,48 @@ void Finder::descend_from(const PieceQuery& query, const Pair& start)
   Place place;
   place.t = start;
   const int iterations = descend(query, kWholePiece, place);
-  this->Workspace.survivors.push_back(this->foot_of(query, place, iterations));
-  this->keep(this->Workspace.survivors.back());
+  this->take(this->foot_of(query, place, iterations));
+}
+
+void Finder::take(const PieceFoot& foot)
+{
+  this->Workspace.survivors.push_back(foot);
+  this->keep(foot);
+}
+
+void Finder::settle()
+{
+  if (!this->found())
+  {
+    return;
+  }
+  const PieceFoot& foot = this->best();
+  const PieceNeighbourhood& around = this->Structure.neighbourhoods[foot.piece];
+  if (!(foot.distance <= around.limit))
+  {
+    return;
+  }
+  const PieceQuery query = this->at(foot.piece);
+  double gradient = around.rounding * (bound_of_length(query.p) + query.piece->reach);
+  for (int i = 0; i < 2; ++i)
+  {
+    // The end of the block holds what would go on there.
+    const double slope = foot.gradient[i];
+    const bool held = (foot.t[i] == 0.0 && slope >= 0.0 && !around.continues(i, 0)) ||
+      (foot.t[i] == 1.0 && slope <= 0.0 && !around.continues(i, 1));
+    gradient += held ? 0.0 : around.inverse_speed[i] * std::abs(slope);
+  }
+  const double tolerance = std::min(kPartOfBlock * this->Query.tolerance, foot.distance);
+  const double slack = tolerance * (2.0 * foot.distance - tolerance);
+  if (foot.distance > tolerance && !(around.square_factor * gradient * gradient <= slack))
+  {
+    return;
+  }
+  for (int k = 0; k < 9; ++k)
+  {
+    this->Block.pieces[k] = (around.block >> k & 1) != 0 ? around.pieces[k] : -1;
+  }
+  this->Block.middle = foot.piece;
 }
 
 PieceFoot Finder::foot_of(const PieceQuery& query, const Place& place, int iterations) const

@@ -10,6 +10,7 @@
 #endif
 
 #include "footpoint/search/distance_forms.h"
+#include "footpoint/search/search_structure.h"
 #include "footpoint/splines/binomials.h"
 
 #include <hwy/highway.h>
@@ -440,17 +441,27 @@ HWY_INLINE void expand(const PieceQuery& query, const Pair& target, Place& place
   complete(query, place);
 }
 
+/// How plain Newton steps ended.
+enum class Steps
+{
+  Done, ///< at the minimum
+  Left, ///< the next one leads out of the range
+  Stuck ///< the Hessian is not well positive definite, or nothing comes nearer
+};
+
 /// Plain Newton steps from place.t for as long as they stay inside the range, the Hessian is well
 /// positive definite and the point comes nearer: what most descents are. Returns the number of
-/// evaluations; `done` says whether the minimum is reached.
+/// evaluations. \param target where the last step leads
 template <int P, int Q, bool Rational>
-HWY_INLINE int iterate(const PieceQuery& query, const Range& range, Place& place, bool& done)
+HWY_INLINE int iterate(
+  const PieceQuery& query, const Range& range, Place& place, Steps& steps, Pair& target)
 {
   constexpr int kMostSteps = 8;
   constexpr double kWellDefinite = 1e-6;
   double before = 1.0;
   double squared = kInfinity;
   Pair last = place.t;
+  steps = Steps::Stuck;
   for (int count = 1;; ++count)
   {
     evaluate<P, Q, Rational>(query, place);
@@ -476,18 +487,19 @@ HWY_INLINE int iterate(const PieceQuery& query, const Range& range, Place& place
       definite = h[0] > 0.0 && determinant > kWellDefinite * h[0] * h[2];
       step = { { (h[1] * g[1] - h[2] * g[0]) * inverse, (h[1] * g[0] - h[0] * g[1]) * inverse } };
     }
-    const Pair target{ { place.t[0] + step[0], place.t[1] + step[1] } };
+    target = { { place.t[0] + step[0], place.t[1] + step[1] } };
     const double longest = std::max(std::abs(step[0]), std::abs(step[1]));
     const bool inside = target[1] > range.lower[1] && target[1] < range.upper[1] &&
       (P == 0 || (target[0] > range.lower[0] && target[0] < range.upper[0]));
     if (!definite || !inside || count >= kMostSteps)
     {
+      steps = definite && !inside ? Steps::Left : Steps::Stuck;
       return count;
     }
     if (longest <= kShortStep && longest <= kFastDecrease * before)
     {
       expand(query, target, place);
-      done = true;
+      steps = Steps::Done;
       return count;
     }
     before = longest;
@@ -497,17 +509,11 @@ HWY_INLINE int iterate(const PieceQuery& query, const Range& range, Place& place
   }
 }
 
-/// Newton's method in a range of a piece, from place.t. Returns the number of evaluations.
+/// The rest of a descent, where plain steps do not get any further. \param count of evaluations so far
 template <int P, int Q, bool Rational>
-HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& result)
+HWY_NOINLINE int go_on(const PieceQuery& query, const Range& range, int count, Place& result)
 {
   const PieceShape& shape = *query.piece->shape;
-  bool done = false;
-  int count = iterate<P, Q, Rational>(query, range, result, done);
-  if (done)
-  {
-    return count;
-  }
   Place places[2] = { result, Place{} };
   Place* place = &places[0];
   Place* next = &places[1];
@@ -592,6 +598,97 @@ HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& 
   return count;
 }
 
+/// Newton's method in a range of a piece, from place.t. Returns the number of evaluations.
+template <int P, int Q, bool Rational>
+HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& place)
+{
+  Steps steps;
+  Pair target;
+  const int count = iterate<P, Q, Rational>(query, range, place, steps, target);
+  return steps == Steps::Done ? count : go_on<P, Q, Rational>(query, range, count, place);
+}
+
+/// The part of a query that belongs to one piece. \param p in the model's centred coordinates
+HWY_INLINE PieceQuery query_at(const SearchStructure& structure, const double* p, std::int32_t index)
+{
+  PieceQuery query;
+  query.piece = &structure.forms.pieces()[index];
+  query.index = index;
+  for (int k = 0; k < 3; ++k)
+  {
+    query.p[k] = p[k] - query.piece->origin[k];
+  }
+  return query;
+}
+
+/// The piece to which a step leads that leaves its own, −1: none that goes on smoothly. The target is
+/// moved on to that piece.
+HWY_INLINE std::int32_t piece_beyond(
+  const SearchStructure& structure, const PieceQuery& query, Pair& target)
+{
+  const PieceNeighbourhood& around = structure.neighbourhoods[query.index];
+  int way[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    way[i] = target[i] > 1.0 ? 1 : (target[i] < 0.0 ? -1 : 0);
+  }
+  const auto at = [&](int i, int j) { return around.pieces[3 * (i + 1) + (j + 1)]; };
+  std::int32_t next = at(way[0], way[1]);
+  if (next < 0 && way[0] != 0 && way[1] != 0)
+  {
+    // No corner: over the side on which it is farther outside, if that goes on.
+    const auto beyond = [&target](int i) { return std::max(-target[i], target[i] - 1.0); };
+    const int first = beyond(0) > beyond(1) ? 0 : 1;
+    const bool has_first = around.beside(first, way[first] > 0) >= 0;
+    way[has_first ? 1 - first : first] = 0;
+    next = at(way[0], way[1]);
+  }
+  if (next < 0 || next == query.index)
+  {
+    return -1;
+  }
+  const Piece& to = structure.forms.pieces()[next];
+  for (int i = 0; i < 2; ++i)
+  {
+    if (way[i] != 0)
+    {
+      const double over = way[i] > 0 ? target[i] - 1.0 : target[i];
+      target[i] = (way[i] > 0 ? 0.0 : 1.0) + over * query.piece->width[i] / to.width[i];
+    }
+    target[i] = std::min(std::max(target[i], 0.0), 1.0);
+  }
+  return next;
+}
+
+/// Newton's method on a piece and, where it leads out of that, on the smooth ones beside it. The query
+/// moves with it. Returns the number of evaluations.
+template <int P, int Q, bool Rational>
+HWY_NOINLINE int walk_on(
+  const SearchStructure& structure, const double* p, PieceQuery& query, Place& place)
+{
+  constexpr int kMostPieces = 4;
+  int count = 0;
+  for (int visited = 1;; ++visited)
+  {
+    Steps steps;
+    Pair target;
+    count += iterate<P, Q, Rational>(query, kWholePiece, place, steps, target);
+    if (steps == Steps::Done)
+    {
+      return count;
+    }
+    const std::int32_t next = steps == Steps::Left && visited < kMostPieces
+      ? piece_beyond(structure, query, target)
+      : -1;
+    if (next < 0)
+    {
+      return go_on<P, Q, Rational>(query, kWholePiece, count, place);
+    }
+    query = query_at(structure, p, next);
+    place.t = target;
+  }
+}
+
 /// Calls a function with the degrees of a piece, as far as they have code of their own, and with
 /// whether it is rational.
 template <class Function>
@@ -634,6 +731,12 @@ int descend(const PieceQuery& query, const Range& range, Place& place)
 {
   return with_shape(*query.piece->shape, [&](auto p, auto q, auto rational)
     { return descend_on<p(), q(), rational()>(query, range, place); });
+}
+
+int walk(const SearchStructure& structure, const double* p, PieceQuery& query, Place& place)
+{
+  return with_shape(*query.piece->shape, [&](auto p_degree, auto q_degree, auto rational)
+    { return walk_on<p_degree(), q_degree(), rational()>(structure, p, query, place); });
 }
 
 } // namespace

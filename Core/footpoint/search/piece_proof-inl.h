@@ -260,6 +260,11 @@ bool Finder::prove_all()
   {
     return true; // no distance is negative
   }
+  if (this->found() && this->best().piece != this->Block.middle)
+  {
+    this->settle();
+  }
+  const bool has_block = this->Tolerance >= kPartOfBlock * this->Query.tolerance;
   bool proved = true;
   // What is trimmed comes last: its proof wants that of the edges, and what they improve.
   for (const bool trimmed : { false, true })
@@ -268,7 +273,11 @@ bool Finder::prove_all()
     {
       const PieceFoot survivor = this->Workspace.survivors[k];
       const Piece& piece = this->Structure.forms.pieces()[survivor.piece];
-      if ((piece.region != nullptr) != trimmed)
+      const auto is_same = [&survivor](const PieceFoot& other)
+      { return other.piece == survivor.piece; };
+      const auto before = this->Workspace.survivors.begin() + static_cast<std::ptrdiff_t>(k);
+      if ((piece.region != nullptr) != trimmed || (has_block && this->in_block(survivor.piece)) ||
+        std::any_of(this->Workspace.survivors.begin(), before, is_same))
       {
         continue;
       }

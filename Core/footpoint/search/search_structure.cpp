@@ -85,6 +85,7 @@ TangentPlane tangent_plane(const Piece& piece, const Middle& u, const Middle& v)
 SearchStructure::SearchStructure(DistanceForms pieces)
   : forms(std::move(pieces))
   , tree(this->forms.boxes())
+  , neighbourhoods(find_neighbourhoods(this->forms.pieces()))
 {
   this->planes.reserve(this->forms.pieces().size());
   const PieceShape* shape = nullptr;

@@ -3,6 +3,7 @@
 
 #include "footpoint/search/box_tree.h"
 #include "footpoint/search/distance_forms.h"
+#include "footpoint/search/piece_neighbourhood.h"
 
 #include <vector>
 
@@ -17,7 +18,8 @@ struct TangentPlane
   double rows[2][3];
 };
 
-/// What CertifiedSearch builds once: the pieces, a tree over their boxes, and a plane for each.
+/// What CertifiedSearch builds once: the pieces, a tree over their boxes, and for each
+/// piece a plane and the pieces around it.
 struct SearchStructure
 {
   SearchStructure() = default;
@@ -26,6 +28,7 @@ struct SearchStructure
   DistanceForms forms;
   BoxTree tree;
   std::vector<TangentPlane> planes;
+  std::vector<PieceNeighbourhood> neighbourhoods;
 };
 
 } // namespace footpoint
