@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/point_inversion.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -31,6 +29,9 @@ constexpr double kGrowth = 8.0;
 /// The clock is looked at so often in a piece of the usual points: to ask it for each would take
 /// some percent of the time of fast queries.
 constexpr std::int64_t kLooks = 64;
+
+/// Points whose feet are sought together: enough for some of them to meet on one piece.
+constexpr std::int64_t kGroup = 32;
 
 /// A word of the order along the curve: three coordinates of so many bits each, then the number of
 /// the point in its block. (Points crowd together where others are 1e4 times as far out; then they
@@ -173,27 +174,42 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
         {
           PointInverter::Workspace workspace;
           const std::int64_t stride = std::max<std::int64_t>(pace.piece() / kLooks, 1);
-          for (std::int64_t i = from; i < to; ++i)
+          std::int64_t look = from;
+          std::vector<Start> group_starts;
+          for (std::int64_t i = from; i < to; i += kGroup)
           {
-            // The first point is always done, so that there is progress.
-            if (i > 0 && (i - from) % stride == 0 && pace.late())
+            // The first points are always done, so that there is progress.
+            if (i > 0 && i >= look && pace.late())
             {
               break;
             }
+            look = i >= look ? i + stride : look;
             // Points are near each other in space, not in memory.
-            if (i + 1 < to)
+            const std::int64_t size = std::min(kGroup, to - i);
+            Eigen::Matrix<double, 3, kGroup> group;
+            group_starts.clear();
+            for (std::int64_t j = 0; j < size; ++j)
             {
-              hwy::Prefetch(points.col(begin + next[i + 1]).data());
+              const std::int64_t k = begin + next[i + j];
+              group.col(j) = points.col(k);
+              if (!starts.empty())
+              {
+                group_starts.push_back(starts[k]);
+              }
             }
-            const std::int32_t k = next[i];
-            const Vector3 point = points.col(begin + k);
-            const Start start = starts.empty() ? Start{} : starts[begin + k];
-            result.feet[k] = inverter.find(point, start, workspace);
-            if (all)
+            Foot feet[kGroup];
+            inverter.find(group.leftCols(size), group_starts, workspace, feet);
+            for (std::int64_t j = 0; j < size; ++j)
             {
-              every[k] = inverter.find_all(point, start);
+              const std::int32_t k = next[i + j];
+              result.feet[k] = feet[j];
+              if (all)
+              {
+                every[k] = inverter.find_all(
+                  group.col(j), group_starts.empty() ? Start{} : group_starts[j]);
+              }
+              reached[k] = 1;
             }
-            reached[k] = 1;
           }
         });
       // What was too late for this piece goes first in the next one.

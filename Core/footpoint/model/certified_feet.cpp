@@ -113,6 +113,23 @@ void CertifiedFeet::find(const Vector3& point, double limit, double tolerance,
   answer.certified = answer.certified && left > 0.0;
 }
 
+void CertifiedFeet::find(const Eigen::Ref<const Points>& points, double limit, double tolerance,
+  SearchWorkspace& workspace, CertifiedAnswer* answers) const
+{
+  const double left = std::max(0.0, tolerance - this->ExtractionError);
+  CertifiedQuery queries[CertifiedSearch::kTogether];
+  const auto count = static_cast<int>(points.cols());
+  for (int k = 0; k < count; ++k)
+  {
+    queries[k] = { points.col(k) - this->Centre, limit, this->Size, left * this->Size };
+  }
+  this->Search.find(queries, count, workspace, answers);
+  for (int k = 0; k < count; ++k)
+  {
+    answers[k].certified = answers[k].certified && left > 0.0;
+  }
+}
+
 void CertifiedFeet::visit_starts(const PatchQuery& query, const std::function<double()>& limit,
   const VisitPart& visit) const
 {

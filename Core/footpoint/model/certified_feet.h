@@ -38,6 +38,9 @@ public:
   ///                  the pieces nothing is certified
   void find(const Vector3& point, double limit, double tolerance, SearchWorkspace& workspace,
     CertifiedAnswer& answer) const;
+  /// The same for up to CertifiedSearch::kTogether points. \param answers one for each
+  void find(const Eigen::Ref<const Points>& points, double limit, double tolerance,
+    SearchWorkspace& workspace, CertifiedAnswer* answers) const;
 
   /// Told a start on a member, and the local parameters of the part that it stands for; returns
   /// whether what it leads to settles that part (see VisitStart).

@@ -16,7 +16,7 @@ struct Candidate
 struct PointInverter::Workspace::Memory
 {
   SearchWorkspace search;
-  CertifiedAnswer answer;
+  std::vector<CertifiedAnswer> answers;
 };
 
 /// Queries with one set of options to a prepared model.
@@ -51,6 +51,7 @@ struct PointInverter::Implementation
   bool certifies() const;
   bool is_known(std::size_t patch) const;
   Foot nearest_certified(const Vector3& point, PointInverter::Workspace::Memory& memory) const;
+  Foot certified_foot(const Vector3& point, const CertifiedAnswer& answer) const;
   void add_uncertified(
     const Vector3& point, bool on_splines, std::vector<Candidate>& feet) const;
 

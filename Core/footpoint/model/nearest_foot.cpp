@@ -177,10 +177,15 @@ bool PointInverter::Implementation::is_known(std::size_t patch) const
 Foot PointInverter::Implementation::nearest_certified(
   const Vector3& point, PointInverter::Workspace::Memory& memory) const
 {
+  this->Prepared->certified()->find(point, this->Options.maximum_distance,
+    this->Options.certificate_tolerance, memory.search, memory.answers[0]);
+  return this->certified_foot(point, memory.answers[0]);
+}
+
+Foot PointInverter::Implementation::certified_foot(
+  const Vector3& point, const CertifiedAnswer& answer) const
+{
   const CertifiedFeet& certified = *this->Prepared->certified();
-  CertifiedAnswer& answer = memory.answer;
-  certified.find(point, this->Options.maximum_distance, this->Options.certificate_tolerance,
-    memory.search, answer);
   Foot foot;
   if (answer.count == 1 && answer.certified && certified.complete() &&
     certified.plain_foot(answer.feet[0], foot))

@@ -9,6 +9,7 @@ namespace footpoint
 PointInverter::Workspace::Workspace()
   : Data(std::make_unique<Memory>())
 {
+  this->Data->answers.resize(1);
 }
 
 PointInverter::Workspace::~Workspace() = default;
@@ -116,6 +117,36 @@ Foot PointInverter::find(const Vector3& point, const Start& start, Workspace& wo
     foot.status = Status::NoOrthogonalFoot;
   }
   return foot;
+}
+
+void PointInverter::find(const Eigen::Ref<const Points>& points, const std::vector<Start>& starts,
+  Workspace& workspace, Foot* feet) const
+{
+  const Eigen::Index count = points.cols();
+  const bool together =
+    this->Data->certifies() && !this->Data->Options.orthogonal_only && points.allFinite();
+  if (!together)
+  {
+    for (Eigen::Index k = 0; k < count; ++k)
+    {
+      feet[k] = this->find(points.col(k), starts.empty() ? Start{} : starts[k], workspace);
+    }
+    return;
+  }
+  const InversionOptions& options = this->Data->Options;
+  std::vector<CertifiedAnswer>& answers = workspace.Data->answers;
+  answers.resize(CertifiedSearch::kTogether);
+  for (Eigen::Index first = 0; first < count; first += CertifiedSearch::kTogether)
+  {
+    const auto part = std::min<Eigen::Index>(CertifiedSearch::kTogether, count - first);
+    this->Data->Prepared->certified()->find(points.middleCols(first, part),
+      options.maximum_distance, options.certificate_tolerance, workspace.Data->search,
+      answers.data());
+    for (Eigen::Index k = 0; k < part; ++k)
+    {
+      feet[first + k] = this->Data->certified_foot(points.col(first + k), answers[k]);
+    }
+  }
 }
 
 std::vector<Foot> PointInverter::find_all(const Vector3& point, const Start& start) const

@@ -102,6 +102,13 @@ public:
   Foot find(const Vector3& point, const Start& start = {}) const;
   Foot find(const Vector3& point, const Start& start, Workspace& workspace) const;
 
+  /// The feet of several points, the same bits as one by one: sooner where they are near each other.
+  /// \param points one a column
+  /// \param starts empty, or one for each point
+  /// \param feet   receives one for each point
+  void find(const Eigen::Ref<const Points>& points, const std::vector<Start>& starts,
+    Workspace& workspace, Foot* feet) const;
+
   /// With all_feet or a fixed direction: all of them, nearest first; else the one foot.
   /// Empty where `find` gives status 3 or 4.
   std::vector<Foot> find_all(const Vector3& point, const Start& start = {}) const;

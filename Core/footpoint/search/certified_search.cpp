@@ -7,16 +7,16 @@
 #define HWY_TARGET_INCLUDE "footpoint/search/certified_search.cpp"
 #include <hwy/foreach_target.h>
 
-#include "footpoint/search/better_foot.h"
-#include "footpoint/search/cell_form-inl.h"
-#include "footpoint/search/certified_search.h"
-#include "footpoint/search/piece_descent-inl.h"
+#include "footpoint/search/finder-inl.h"
+#include "footpoint/search/packet_descent-inl.h"
 
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -27,272 +27,6 @@ namespace
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Cells of one piece that are halved by their coefficients: an ordinary piece needs fewer than
-/// ten.
-constexpr int kMostCells = 200;
-/// Cells of one query that have their coefficients formed anew afterwards, some microseconds each;
-/// and how many of these every piece may have even if others have used them up.
-constexpr int kMostHardCells = 2000;
-constexpr std::size_t kFewestHardCells = 64;
-/// A cell of a trimmed piece is not cut narrower than this.
-constexpr double kNarrow = 4.0;
-/// How often a cell or a line may be halved by its coefficients.
-constexpr int kMostHalvings = 100;
-
-/// Newton's method is begun at once on the first piece if its box is nearer than this part of the
-/// piece's size. Farther away another piece may well be nearer, and a bound is what is wanted.
-constexpr double kNearPiece = 0.25;
-
-/// Which of up to 64 numbers are at most a limit, one bit each.
-HWY_INLINE std::uint64_t at_most(const double* values, int count, double limit)
-{
-  const hn::CappedTag<double, 8> tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  const auto wanted = hn::Set(tag, limit);
-  std::uint64_t result = 0;
-  for (int k = 0; k < count; k += lanes)
-  {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(tag, hn::Le(hn::LoadU(tag, values + k), wanted), bits);
-    result |= static_cast<std::uint64_t>(bits[0]) << k;
-  }
-  return result;
-}
-
-/// What the first differences of the coefficients of F say.
-struct Slopes
-{
-  int monotone;    ///< the direction along which F is monotone, −1: none
-  int end;         ///< where it is smallest then
-  int cut;         ///< otherwise the direction along which the slope changes more
-  double greatest; ///< and the greatest of the coefficients, by magnitude
-};
-
-/// The squared distance of a box is rounded a few times, in relative terms.
-constexpr double kOutward = 1.0 + 32.0 * kRounding;
-
-/// Edges of trimmed faces are proved for this part of the tolerance, so that what is left of it is
-/// there for the faces (Documentation/CertifiedSearch.md).
-constexpr double kPartOfEdges = 0.5;
-/// And blocks for this part: when they are it is not known yet what the best foot may be off.
-constexpr double kPartOfBlock = 0.5;
-
-/// All that one query needs, over all pieces.
-class Finder
-{
-public:
-  Finder(const SearchStructure& structure, const CertifiedQuery& query,
-    SearchWorkspace& workspace, CertifiedAnswer& answer)
-    : Structure(structure)
-    , Query(query)
-    , Workspace(workspace)
-    , Answer(answer)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->P[k] = query.point(k);
-    }
-    this->Bound = query.limit;
-    this->SquaredBound = query.limit * query.limit;
-  }
-
-  void run()
-  {
-    this->Answer.count = 0;
-    this->Workspace.candidates.clear();
-    this->Workspace.survivors.clear();
-    if (!this->Structure.tree.nodes().empty())
-    {
-      this->begin();
-      this->collect();
-      this->descend_on_candidates();
-    }
-    this->Answer.certified = this->prove_all();
-  }
-
-private:
-  bool found() const { return this->Answer.count > 0; }
-  const PieceFoot& best() const { return this->Answer.feet[0]; }
-
-  double tie() const { return tie_tolerance(this->best().distance, this->Query.size); }
-
-  /// Distance up to which feet are of interest.
-  double reach() const
-  {
-    const double best = this->found() ? this->best().distance + this->tie() : kInfinity;
-    return std::min(best, this->Bound);
-  }
-
-  PieceQuery at(std::int32_t index) const { return query_at(this->Structure, this->P, index); }
-
-  /// Whether a point of a piece counts: no trim loop leaves it out.
-  static bool is_kept(const Piece& piece, const Pair& t)
-  {
-    return !piece.region ||
-      piece.region->contains(
-        piece.lower[0] + t[0] * piece.width[0], piece.lower[1] + t[1] * piece.width[1]);
-  }
-
-  /// Whether no point of a cell of a piece counts.
-  static bool is_left_out(const Piece& piece, const Pair& lower, const Pair& upper)
-  {
-    auto local = [&piece](const Pair& t)
-    {
-      return Pair{ { piece.lower[0] + t[0] * piece.width[0],
-        piece.lower[1] + t[1] * piece.width[1] } };
-    };
-    return piece.region &&
-      piece.region->cover(local(lower), local(upper)) == TrimRegion::Cover::Outside;
-  }
-
-  // === The distance form ===
-
-  /// |P|² − T for T the square of the best distance, without the cancellation of large numbers, and
-  /// the bound of the error of any coefficient of F, over W2.
-  struct Level
-  {
-    double constant;
-    double margin;
-    double level; ///< T
-  };
-  /// With the best foot's distance for √T, or any other.
-  Level level_of(const PieceQuery& query) const;
-  Level level_of(const PieceQuery& query, double distance) const;
-  /// Level for dropping what is farther than reach().
-  Level reach_of(const PieceQuery& query) const;
-
-  /// Computes the coefficients of F into `target`; returns the smallest one.
-  double form(const PieceQuery& query, double constant, double* target) const;
-  static Pair start_of(const PieceShape& shape, const double* coefficients, double least);
-  static Slopes slopes_of(const PieceShape& shape, const double* f, double error);
-  static bool is_convex(const PieceShape& shape, const double* f, double error);
-  static Pair halve(const PieceShape& shape, double* f, int direction, double* upper);
-
-  // === The search ===
-
-  void box_distances(const BoxTree::Node& node, double* squared) const;
-  /// Goes to the piece whose box seems nearest, for a first bound.
-  void begin();
-  void begin_with(std::int32_t index, double squared);
-  /// Takes the block of the best foot for searched if that is the nearest point of it.
-  void settle();
-  /// Whether nothing within reach is left to be found in a piece.
-  bool is_settled(std::int32_t index) const { return index == this->Begun || this->in_block(index); }
-  bool in_block(std::int32_t index) const
-  {
-    bool found = false;
-    for (int k = 0; k < 9; ++k)
-    {
-      found |= this->Block.pieces[k] == index;
-    }
-    return found;
-  }
-  /// Finds the pieces that may hold something within reach.
-  void collect();
-  /// \param squared distance of the piece's box
-  void collect(std::int32_t index, double squared);
-  /// A point of a piece, if it is kept, bounds the distance from above.
-  void bound_by_point(const PieceQuery& query, const Pair& t);
-  /// \param squared distance of that point
-  void bound_by(const PieceQuery& query, const Pair& t, double squared);
-  /// Where the tangent plane of the piece's middle is nearest.
-  Pair guess(const PieceQuery& query) const;
-  /// Whether the smallest coefficient of a piece says that it holds nothing within reach.
-  bool excludes(double least) const { return this->Bound < kInfinity && least >= 0.0; }
-  void descend_on_candidates();
-  void descend_from(const PieceQuery& query, const Pair& start);
-  /// A minimum of a piece: a survivor, and a foot if it is of interest.
-  void take(const PieceFoot& foot);
-  PieceFoot foot_of(const PieceQuery& query, const Place& place, int iterations) const;
-  /// Keeps a foot if it is of interest; true where it is nearer than all before by more than a tie.
-  bool keep(const PieceFoot& foot);
-
-  // === The proof ===
-
-  bool prove_all();
-  /// Differences of coefficients beyond these have their sign in exact numbers, and for T = d² as
-  /// well as for T = d² − Slack. \param error of the coefficients, from halving
-  double least_first_difference(double error) const
-  {
-    return 2.0 * (this->Margin + error) + this->Shift;
-  }
-  double least_second_difference(double error) const
-  {
-    return 4.0 * (this->Margin + error + this->Shift);
-  }
-
-  enum class Verdict
-  {
-    Proved,
-    Open,
-    Improved
-  };
-  Verdict prove(const PieceFoot& survivor);
-  /// The cells that are left, with their forms relative to the best foot.
-  Verdict prove_hard_cells(const PieceQuery& query);
-  double view_of(const PieceQuery& query, CellView& view) const;
-  /// Whether F is negative for certain at a place that is trimmed away, where the distance is nearer
-  /// than edges are proved to be.
-  bool is_trimmed_away(const PieceQuery& query, const PieceFoot& place) const;
-  double excess_of(const PieceFoot& place) const;
-  /// For edges half of the tolerance, less what they may be off.
-  double tolerance_of(const Piece& piece) const;
-  bool improves_at_corner(
-    const PieceQuery& query, const SearchWorkspace::Cell& cell, const double* f);
-  Verdict prove_side(const PieceQuery& query, const Range& cell, const double* f, double error,
-    int i, int end);
-  /// The tangent plane of F at the minimum of the range.
-  Verdict support(const PieceQuery& query, const Range& range, const Pair& start);
-  bool supports(const PieceQuery& query, const Range& range, const PieceFoot& place) const;
-
-  double* coefficients(std::size_t k, int size)
-  {
-    // Vector loads may read a little beyond either end.
-    const std::size_t needed = (k + 1) * size + 2 * kBesideCoefficients;
-    if (this->Workspace.coefficients.size() < needed)
-    {
-      this->Workspace.coefficients.resize(2 * needed);
-    }
-    return this->Workspace.coefficients.data() + kBesideCoefficients + k * size;
-  }
-
-  static constexpr int kBesideCoefficients = 16;
-
-  const SearchStructure& Structure;
-  const CertifiedQuery& Query;
-  SearchWorkspace& Workspace;
-  CertifiedAnswer& Answer;
-  double P[3];
-  double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
-  double SquaredBound = kInfinity;
-  /// The way that begin() went down the tree.
-  struct Visit
-  {
-    HWY_ALIGN double squared[BoxTree::kWidth];
-    std::int32_t node;
-    int followed;
-  };
-  Visit Path[16];
-  int Depth = 0;
-  std::int32_t Begun = -1; ///< the piece on which begin() has found the minimum
-  /// Pieces in which nothing is nearer than the best foot, or was when it was found; −1: none.
-  struct
-  {
-    HWY_ALIGN std::array<std::int32_t, 9> pieces{ { -1, -1, -1, -1, -1, -1, -1, -1, -1 } };
-    std::int32_t middle = -1;
-  } Block;
-  std::int32_t Nearest = -1; ///< the piece with the point that gave Bound, and that point
-  Pair NearestAt{ { 0.0, 0.0 } };
-  double Tolerance = 0.0; ///< what is asked for, less what the best foot may be off
-  int Cells = 0;
-  int HardCells = 0;
-  // Of the piece that is being proved:
-  double Slack = 0.0;   ///< d² − (d − tolerance)²
-  double Margin = 0.0;  ///< bound of the error of a coefficient of the piece
-  double Shift = 0.0;   ///< bound of what Slack adds to a coefficient beyond a constant
-  const PieceFoot* Known = nullptr;
-};
 
 Finder::Level Finder::level_of(const PieceQuery& query) const
 {
@@ -445,7 +179,7 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
   }
 }
 
-void Finder::begin()
+bool Finder::begin()
 {
   const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   const hn::CappedTag<double, 8> tag;
@@ -486,7 +220,7 @@ void Finder::begin()
   } while (child >= 0);
 
   const Visit& last = this->Path[this->Depth - 1];
-  this->begin_with(-1 - child, last.squared[last.followed]);
+  return this->begin_with(-1 - child, last.squared[last.followed]);
 }
 
 void Finder::collect()
@@ -530,6 +264,13 @@ void Finder::collect()
       take(node, squared, 0);
     }
   }
+  std::vector<SearchWorkspace::Candidate>& candidates = this->Finds.candidates;
+  if (candidates.size() > 1)
+  {
+    std::sort(candidates.begin(), candidates.end(),
+      [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
+      { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; });
+  }
 }
 
 Pair Finder::guess(const PieceQuery& query) const
@@ -548,29 +289,18 @@ Pair Finder::guess(const PieceQuery& query) const
   return t;
 }
 
-void Finder::begin_with(std::int32_t index, double squared)
+bool Finder::begin_with(std::int32_t index, double squared)
 {
   const PieceQuery query = this->at(index);
   const Pair start = this->guess(query);
   const double reach = query.piece->reach;
   if (squared <= kNearPiece * kNearPiece * reach * reach)
   {
-    PieceQuery here = query;
-    Place place;
-    place.t = start;
-    const int iterations = walk(this->Structure, this->P, here, place);
-    this->Begun = here.index == index ? index : -1; // elsewhere a better start may be known
-    this->take(this->foot_of(here, place, iterations));
-    this->settle();
-    if (query.piece->region && !this->found())
-    {
-      this->bound_by_point(query, query.piece->kept); // the foot is trimmed away
-    }
-    if (!this->is_settled(index))
-    {
-      this->collect(index, squared);
-    }
-    return;
+    this->First = index;
+    this->FirstSquared = squared;
+    this->Visited = 1;
+    this->wait_for(query, start);
+    return true;
   }
   if (query.piece->region)
   {
@@ -578,6 +308,90 @@ void Finder::begin_with(std::int32_t index, double squared)
   }
   this->bound_by_point(query, start);
   this->collect(index, squared);
+  return false;
+}
+
+bool Finder::walk_on()
+{
+  Descent& descent = this->Pending;
+  if (descent.steps != Steps::Left || this->Visited >= kMostVisited)
+  {
+    return false;
+  }
+  Pair target = descent.target;
+  const std::int32_t next = piece_beyond(this->Structure, descent.query, target);
+  if (next < 0)
+  {
+    return false;
+  }
+  ++this->Visited;
+  this->WalkedSteps += descent.count;
+  this->wait_for(this->at(next), target);
+  return true;
+}
+
+void Finder::end_walk()
+{
+  this->Visited = 0;
+  const int count = this->WalkedSteps + finish_descent(this->Pending);
+  const PieceQuery& query = this->Pending.query;
+  this->Begun = query.index == this->First ? query.index : -1; // elsewhere a better start may be known
+  this->take(this->foot_of(query, this->Pending.place, count));
+  this->settle();
+  if (!this->found())
+  {
+    const PieceQuery first = this->at(this->First);
+    if (first.piece->region)
+    {
+      this->bound_by_point(first, first.piece->kept); // the foot is trimmed away
+    }
+  }
+  if (!this->is_settled(this->First))
+  {
+    this->collect(this->First, this->FirstSquared);
+  }
+}
+
+bool Finder::start()
+{
+  this->Answer.count = 0;
+  this->Finds.candidates.clear();
+  this->Finds.survivors.clear();
+  if (this->Structure.tree.nodes().empty())
+  {
+    return false;
+  }
+  if (this->begin())
+  {
+    return true;
+  }
+  this->collect();
+  return this->next_candidate();
+}
+
+bool Finder::go_on()
+{
+  if (this->Visited > 0)
+  {
+    if (this->walk_on())
+    {
+      return true;
+    }
+    this->end_walk();
+    this->collect();
+  }
+  else
+  {
+    const int count = finish_descent(this->Pending);
+    this->take(this->foot_of(this->Pending.query, this->Pending.place, count));
+  }
+  return this->next_candidate();
+}
+
+void Finder::wait_for(const PieceQuery& query, const Pair& start)
+{
+  this->Pending.query = query;
+  this->Pending.place.t = start;
 }
 
 void Finder::bound_by_point(const PieceQuery& query, const Pair& t)
@@ -615,7 +429,7 @@ void Finder::collect(std::int32_t index, double squared)
   // F = w²(|S − P|² − T) ≥ least. Of a large flat piece the box may say more.
   const double bound = std::max(squared / kOutward,
     level.level + least / (least < 0.0 ? piece.least_weight : piece.greatest_weight));
-  this->Workspace.candidates.push_back({ index, bound });
+  this->Finds.candidates.push_back({ index, bound });
   // The corners are points of the piece.
   const double* weights = piece.forms + 4 * shape.form_size;
   for (int corner = 0; corner < 4; ++corner)
@@ -628,17 +442,12 @@ void Finder::collect(std::int32_t index, double squared)
   }
 }
 
-void Finder::descend_on_candidates()
+bool Finder::next_candidate()
 {
-  std::vector<SearchWorkspace::Candidate>& candidates = this->Workspace.candidates;
-  if (candidates.size() > 1)
+  const std::vector<SearchWorkspace::Candidate>& candidates = this->Finds.candidates;
+  while (this->Next < candidates.size())
   {
-    std::sort(candidates.begin(), candidates.end(),
-      [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
-      { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; });
-  }
-  for (const SearchWorkspace::Candidate& candidate : candidates)
-  {
+    const SearchWorkspace::Candidate& candidate = candidates[this->Next++];
     const PieceQuery query = this->at(candidate.piece);
     const Level level = this->reach_of(query);
     if (candidate.bound >= level.level + 2.0 * level.margin)
@@ -650,36 +459,38 @@ void Finder::descend_on_candidates()
     const double least = this->form(query, level.constant - level.margin, f);
     if (!this->excludes(least))
     {
-      this->descend_from(query, start_of(shape, f, least));
+      this->wait_for(query, start_of(shape, f, least));
+      return true;
     }
   }
-  const auto reached = [this] { return this->found() && this->best().distance <= this->Bound; };
-  if (this->Nearest >= 0 && !reached())
-  {
-    // No descent came as near as that point.
-    const PieceQuery query = this->at(this->Nearest);
-    this->descend_from(query, this->NearestAt);
-    if (!reached() && query.piece->region)
-    {
-      Place place; // the way down led out of the face
-      place.t = this->NearestAt;
-      evaluate_at(query, place);
-      this->keep(this->foot_of(query, place, 0));
-    }
-  }
+  this->descend_from_nearest();
+  return false;
 }
 
-void Finder::descend_from(const PieceQuery& query, const Pair& start)
+void Finder::descend_from_nearest()
 {
+  const auto reached = [this] { return this->found() && this->best().distance <= this->Bound; };
+  if (this->Nearest < 0 || reached())
+  {
+    return;
+  }
+  // No descent came as near as that point.
+  const PieceQuery query = this->at(this->Nearest);
   Place place;
-  place.t = start;
+  place.t = this->NearestAt;
   const int iterations = descend(query, kWholePiece, place);
   this->take(this->foot_of(query, place, iterations));
+  if (!reached() && query.piece->region)
+  {
+    place.t = this->NearestAt; // the way down led out of the face
+    evaluate_at(query, place);
+    this->keep(this->foot_of(query, place, 0));
+  }
 }
 
 void Finder::take(const PieceFoot& foot)
 {
-  this->Workspace.survivors.push_back(foot);
+  this->Finds.survivors.push_back(foot);
   this->keep(foot);
 }
 
@@ -817,7 +628,67 @@ namespace HWY_NAMESPACE
 void find_nearest(const SearchStructure& structure, const CertifiedQuery& query,
   SearchWorkspace& workspace, CertifiedAnswer& answer)
 {
-  Finder(structure, query, workspace, answer).run();
+  Finder finder(structure, query, 0, workspace, answer);
+  for (bool waits = finder.start(); waits; waits = finder.go_on())
+  {
+    take_plain_steps(finder.pending());
+  }
+  finder.finish();
+}
+
+/// Searches that wait for descents: those on the same piece are made together, then each search goes on.
+void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* queries, int count,
+  SearchWorkspace& workspace, CertifiedAnswer* answers)
+{
+  alignas(Finder) unsigned char memory[CertifiedSearch::kTogether * sizeof(Finder)];
+  Finder* waiting[CertifiedSearch::kTogether];
+  int number = 0;
+  for (int k = 0; k < count; ++k)
+  {
+    Finder* finder =
+      new (memory + k * sizeof(Finder)) Finder(structure, queries[k], k, workspace, answers[k]);
+    if (finder->start())
+    {
+      waiting[number++] = finder;
+    }
+    else
+    {
+      finder->finish();
+    }
+  }
+  while (number > 0)
+  {
+    const auto piece_of = [](Finder* finder) { return finder->pending().query.index; };
+    std::sort(waiting, waiting + number,
+      [&](Finder* a, Finder* b) { return std::make_pair(piece_of(a), a) < std::make_pair(piece_of(b), b); });
+    for (int first = 0; first < number;)
+    {
+      Descent* packet[Lanes::kCount];
+      int size = 0;
+      do
+      {
+        packet[size] = &waiting[first + size]->pending();
+        ++size;
+      } while (size < Lanes::kCount && first + size < number &&
+        piece_of(waiting[first + size]) == packet[0]->query.index);
+      take_plain_steps(packet, size);
+      first += size;
+    }
+    int left = 0;
+    for (int k = 0; k < number; ++k)
+    {
+      Finder* finder = waiting[k];
+      if (finder->go_on())
+      {
+        waiting[left++] = finder;
+      }
+      else
+      {
+        finder->finish();
+      }
+    }
+    number = left;
+  }
 }
 
 } // namespace HWY_NAMESPACE
@@ -831,6 +702,7 @@ namespace footpoint
 namespace
 {
 HWY_EXPORT(find_nearest);
+HWY_EXPORT(find_all_nearest);
 }
 
 CertifiedSearch::CertifiedSearch(DistanceForms forms)
@@ -841,7 +713,15 @@ CertifiedSearch::CertifiedSearch(DistanceForms forms)
 void CertifiedSearch::find(
   const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const
 {
+  workspace.finds.resize(std::max<std::size_t>(workspace.finds.size(), 1));
   HWY_DYNAMIC_DISPATCH(find_nearest)(this->Structure, query, workspace, answer);
+}
+
+void CertifiedSearch::find(const CertifiedQuery* queries, int count, SearchWorkspace& workspace,
+  CertifiedAnswer* answers) const
+{
+  workspace.finds.resize(kTogether);
+  HWY_DYNAMIC_DISPATCH(find_all_nearest)(this->Structure, queries, count, workspace, answers);
 }
 
 } // namespace footpoint

@@ -36,6 +36,12 @@ struct SearchWorkspace
     std::int32_t piece;
     double bound; ///< of |S − P|²
   };
+  /// What one query has found so far.
+  struct Finds
+  {
+    std::vector<Candidate> candidates;
+    std::vector<PieceFoot> survivors; ///< minima of the pieces that have to be proved
+  };
   struct Cell
   {
     std::array<double, 2> lower;
@@ -52,8 +58,7 @@ struct SearchWorkspace
     double allowed; ///< how far F may fall below zero; negative: not known yet
   };
 
-  std::vector<Candidate> candidates;
-  std::vector<PieceFoot> survivors; ///< minima of the pieces that have to be proved
+  std::vector<Finds> finds; ///< of each query that is under way
   std::vector<Cell> cells;
   std::vector<HardCell> hard_cells;
   std::vector<double> coefficients; ///< of the cells, one after the other
@@ -61,11 +66,11 @@ struct SearchWorkspace
 
 struct CertifiedQuery
 {
-  Vector3 point; ///< in the model's centred coordinates
+  Vector3 point = Vector3::Zero(); ///< in the model's centred coordinates
   /// Nothing farther is sought.
-  double limit;
-  double size;      ///< of the model; feet that tie with the nearest (tie_tolerance) are kept as well
-  double tolerance; ///< what is proved is that no point is nearer than distance − tolerance
+  double limit = 0.0;
+  double size = 0.0;      ///< of the model; feet that tie with the nearest (tie_tolerance) are kept as well
+  double tolerance = 0.0; ///< what is proved is that no point is nearer than distance − tolerance
 };
 
 struct CertifiedAnswer
@@ -100,7 +105,16 @@ public:
   const BoxTree& tree() const { return this->Structure.tree; }
   std::size_t number_of_pieces() const { return this->forms().pieces().size(); }
 
+  /// So many queries are searched together at the most.
+  static constexpr int kTogether = 32;
+
   void find(const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const;
+
+  /// The same answers, bit for bit, for up to kTogether queries: sooner where these are near each other,
+  /// since descents of different queries on the same piece are made together.
+  /// \param answers one for each query
+  void find(const CertifiedQuery* queries, int count, SearchWorkspace& workspace,
+    CertifiedAnswer* answers) const;
 
 private:
   SearchStructure Structure;

@@ -52,7 +52,8 @@ constexpr double kNearEnd = 1e-4;
 using Pair = std::array<double, 2>;
 using Triple = std::array<double, 3>;
 
-HWY_INLINE double dot(const double* a, const double* b)
+template <class T>
+HWY_INLINE T dot(const T* a, const T* b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -63,76 +64,80 @@ HWY_INLINE double bound_of_length(const double* a)
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
 
+// Arithmetic is written once for numbers and for lanes of numbers (packet_descent-inl.h), operation for
+// operation, so that a descent does not depend on the company it is in.
+
 /// Bernstein polynomials of degree n and their first two derivatives.
-HWY_INLINE void bernstein(int n, double t, double* b, double* d, double* dd)
+template <class T>
+HWY_INLINE void bernstein(int n, T t, T* b, T* d, T* dd)
 {
-  const double s = 1.0 - t;
+  const T s = T(1.0) - t;
   if (n == 3)
   {
-    const double ss = s * s;
-    const double tt = t * t;
-    const double st = s * t;
+    const T ss = s * s;
+    const T tt = t * t;
+    const T st = s * t;
     b[0] = ss * s;
-    b[1] = 3.0 * ss * t;
-    b[2] = 3.0 * s * tt;
+    b[1] = T(3.0) * ss * t;
+    b[2] = T(3.0) * s * tt;
     b[3] = tt * t;
-    d[0] = -3.0 * ss;
-    d[1] = 3.0 * ss - 6.0 * st;
-    d[2] = 6.0 * st - 3.0 * tt;
-    d[3] = 3.0 * tt;
-    dd[0] = 6.0 * s;
-    dd[1] = 6.0 * t - 12.0 * s;
-    dd[2] = 6.0 * s - 12.0 * t;
-    dd[3] = 6.0 * t;
+    d[0] = T(-3.0) * ss;
+    d[1] = T(3.0) * ss - T(6.0) * st;
+    d[2] = T(6.0) * st - T(3.0) * tt;
+    d[3] = T(3.0) * tt;
+    dd[0] = T(6.0) * s;
+    dd[1] = T(6.0) * t - T(12.0) * s;
+    dd[2] = T(6.0) * s - T(12.0) * t;
+    dd[3] = T(6.0) * t;
     return;
   }
   if (n < 2)
   {
-    b[0] = n == 0 ? 1.0 : s;
-    d[0] = n == 0 ? 0.0 : -1.0;
-    dd[0] = 0.0;
+    b[0] = n == 0 ? T(1.0) : s;
+    d[0] = T(n == 0 ? 0.0 : -1.0);
+    dd[0] = T(0.0);
     if (n == 1)
     {
       b[1] = t;
-      d[1] = 1.0;
-      dd[1] = 0.0;
+      d[1] = T(1.0);
+      dd[1] = T(0.0);
     }
     return;
   }
   // Degree n − 2 by powers, then twice one degree more.
-  b[0] = 1.0;
-  double power = 1.0;
+  b[0] = T(1.0);
+  T power(1.0);
   for (int k = 1; k <= n - 2; ++k)
   {
-    power *= t;
-    b[k] = kBinomials.value[n - 2][k] * power;
+    power = power * t;
+    b[k] = T(kBinomials.value[n - 2][k]) * power;
   }
-  power = 1.0;
+  power = T(1.0);
   for (int k = n - 3; k >= 0; --k)
   {
-    power *= s;
-    b[k] *= power;
+    power = power * s;
+    b[k] = b[k] * power;
   }
-  auto raise = [s, t](int to, double* values)
+  auto raise = [s, t](int to, T* values)
   {
     values[to] = t * values[to - 1];
     for (int k = to - 1; k > 0; --k)
     {
       values[k] = s * values[k] + t * values[k - 1];
     }
-    values[0] *= s;
+    values[0] = values[0] * s;
   };
   for (int k = 0; k <= n; ++k)
   {
-    const double left = k >= 2 ? b[k - 2] : 0.0;
-    const double middle = k >= 1 && k <= n - 1 ? b[k - 1] : 0.0;
-    const double right = k <= n - 2 ? b[k] : 0.0;
-    dd[k] = n * (n - 1) * (left - 2.0 * middle + right);
+    const T left = k >= 2 ? b[k - 2] : T(0.0);
+    const T middle = k >= 1 && k <= n - 1 ? b[k - 1] : T(0.0);
+    const T right = k <= n - 2 ? b[k] : T(0.0);
+    dd[k] = T(n * (n - 1.0)) * (left - T(2.0) * middle + right);
   }
   raise(n - 1, b);
   for (int k = 0; k <= n; ++k)
   {
-    d[k] = n * ((k >= 1 ? b[k - 1] : 0.0) - (k <= n - 1 ? b[k] : 0.0));
+    d[k] = T(n) * ((k >= 1 ? b[k - 1] : T(0.0)) - (k <= n - 1 ? b[k] : T(0.0)));
   }
   raise(n, b);
 }
@@ -150,16 +155,19 @@ enum JetEntry : int
 };
 
 /// A point of a piece as a query sees it; coordinates are relative to the piece's origin.
-struct Place
+template <class T>
+struct PlaceOf
 {
-  Pair t;
-  HWY_ALIGN double jet[kJet][4]; ///< of S, and in the last column of w
-  double r[3];                   ///< S − P
-  double squared;                ///< |S − P|²
-  Pair gradient;                 ///< of E = ½|S − P|²
-  Triple hessian;
-  double metric[2]; ///< |S_u|², |S_v|²
+  std::array<T, 2> t;
+  HWY_ALIGN T jet[kJet][4];  ///< of S, and in the last column of w
+  T r[3];                    ///< S − P
+  T squared;                 ///< |S − P|²
+  std::array<T, 2> gradient; ///< of E = ½|S − P|²
+  std::array<T, 3> hessian;
+  T metric[2]; ///< |S_u|², |S_v|²
 };
+
+using Place = PlaceOf<double>;
 
 /// The part of a query that belongs to one piece.
 struct PieceQuery
@@ -169,13 +177,14 @@ struct PieceQuery
   double p[3]; ///< P, relative to the piece's origin
 };
 
-/// The rest of an evaluation, from the jet.
-HWY_INLINE void complete(const PieceQuery& query, Place& place)
+/// The rest of an evaluation, from the jet. \param p the query, relative to the piece's origin
+template <class T>
+HWY_INLINE void complete(const T* p, PlaceOf<T>& place)
 {
   const auto& jet = place.jet;
   for (int k = 0; k < 3; ++k)
   {
-    place.r[k] = jet[kS][k] - query.p[k];
+    place.r[k] = jet[kS][k] - p[k];
   }
   place.squared = dot(place.r, place.r);
   place.gradient = { { dot(place.r, jet[kSu]), dot(place.r, jet[kSv]) } };
@@ -187,23 +196,24 @@ HWY_INLINE void complete(const PieceQuery& query, Place& place)
 }
 
 /// Solves the product rule for w·S (L. Piegl and W. Tiller 1997, A4.4).
-HWY_INLINE void divide_by_weight(Place& place)
+template <class T>
+HWY_INLINE void divide_by_weight(PlaceOf<T>& place)
 {
   auto& jet = place.jet;
-  const double inverse = 1.0 / jet[kS][3];
-  const double wu = jet[kSu][3];
-  const double wv = jet[kSv][3];
+  const T inverse = T(1.0) / jet[kS][3];
+  const T wu = jet[kSu][3];
+  const T wv = jet[kSv][3];
   for (int k = 0; k < 3; ++k)
   {
-    const double s = jet[kS][k] * inverse;
-    const double su = (jet[kSu][k] - wu * s) * inverse;
-    const double sv = (jet[kSv][k] - wv * s) * inverse;
+    const T s = jet[kS][k] * inverse;
+    const T su = (jet[kSu][k] - wu * s) * inverse;
+    const T sv = (jet[kSv][k] - wv * s) * inverse;
     jet[kS][k] = s;
     jet[kSu][k] = su;
     jet[kSv][k] = sv;
-    jet[kSuu][k] = (jet[kSuu][k] - 2.0 * wu * su - jet[kSuu][3] * s) * inverse;
+    jet[kSuu][k] = (jet[kSuu][k] - T(2.0) * wu * su - jet[kSuu][3] * s) * inverse;
     jet[kSuv][k] = (jet[kSuv][k] - wu * sv - wv * su - jet[kSuv][3] * s) * inverse;
-    jet[kSvv][k] = (jet[kSvv][k] - 2.0 * wv * sv - jet[kSvv][3] * s) * inverse;
+    jet[kSvv][k] = (jet[kSvv][k] - T(2.0) * wv * sv - jet[kSvv][3] * s) * inverse;
   }
 }
 
@@ -289,7 +299,7 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
   {
     divide_by_weight(place);
   }
-  complete(query, place);
+  complete(query.p, place);
 }
 
 /// Newton's step in units in which both derivatives have length 1; where the Hessian is not positive
@@ -423,23 +433,55 @@ HWY_INLINE double slope(const Place& place, const std::array<bool, 2>& free)
     free[1] ? std::abs(place.gradient[1]) : 0.0);
 }
 
-/// S, w and their derivatives a short step on, by Taylor's expansion about the place.
-HWY_INLINE void expand(const PieceQuery& query, const Pair& target, Place& place)
+/// S and its derivatives a short step on, by Taylor's expansion about the place.
+/// \tparam Columns of the jet: 4 with w, 3 without
+template <int Columns, class T>
+HWY_INLINE void expand(const T* p, const std::array<T, 2>& target, PlaceOf<T>& place)
 {
-  const double du = target[0] - place.t[0];
-  const double dv = target[1] - place.t[1];
+  const T du = target[0] - place.t[0];
+  const T dv = target[1] - place.t[1];
   auto& jet = place.jet;
-  for (int k = 0; k < 4; ++k)
+  for (int k = 0; k < Columns; ++k)
   {
-    const double by_u = jet[kSuu][k] * du + jet[kSuv][k] * dv;
-    const double by_v = jet[kSuv][k] * du + jet[kSvv][k] * dv;
-    jet[kS][k] += jet[kSu][k] * du + jet[kSv][k] * dv + 0.5 * (by_u * du + by_v * dv);
-    jet[kSu][k] += by_u;
-    jet[kSv][k] += by_v;
+    const T by_u = jet[kSuu][k] * du + jet[kSuv][k] * dv;
+    const T by_v = jet[kSuv][k] * du + jet[kSvv][k] * dv;
+    jet[kS][k] = jet[kS][k] + (jet[kSu][k] * du + jet[kSv][k] * dv + T(0.5) * (by_u * du + by_v * dv));
+    jet[kSu][k] = jet[kSu][k] + by_u;
+    jet[kSv][k] = jet[kSv][k] + by_v;
   }
   place.t = target;
-  complete(query, place);
+  complete(p, place);
 }
+
+/// Newton's step, to be taken where `definite` says that the Hessian is well positive definite:
+/// positive > 0 and determinant > least.
+template <class T>
+struct PlainStep
+{
+  std::array<T, 2> way;
+  T positive;
+  T determinant;
+  T least;
+};
+
+template <int P, class T>
+HWY_INLINE PlainStep<T> plain_step(const PlaceOf<T>& place)
+{
+  constexpr double kWellDefinite = 1e-6;
+  const std::array<T, 3>& h = place.hessian;
+  const std::array<T, 2>& g = place.gradient;
+  if (P == 0)
+  {
+    return { { { T(0.0), (T(0.0) - g[1]) / h[2] } }, h[2], h[2], T(kWellDefinite) * place.metric[1] };
+  }
+  const T determinant = h[0] * h[2] - h[1] * h[1];
+  const T inverse = T(1.0) / determinant;
+  return { { { (h[1] * g[1] - h[2] * g[0]) * inverse, (h[1] * g[0] - h[0] * g[1]) * inverse } }, h[0],
+    determinant, T(kWellDefinite) * h[0] * h[2] };
+}
+
+/// Plain Newton steps end after so many evaluations.
+constexpr int kMostSteps = 8;
 
 /// How plain Newton steps ended.
 enum class Steps
@@ -456,8 +498,6 @@ template <int P, int Q, bool Rational>
 HWY_INLINE int iterate(
   const PieceQuery& query, const Range& range, Place& place, Steps& steps, Pair& target)
 {
-  constexpr int kMostSteps = 8;
-  constexpr double kWellDefinite = 1e-6;
   double before = 1.0;
   double squared = kInfinity;
   Pair last = place.t;
@@ -471,24 +511,10 @@ HWY_INLINE int iterate(
       evaluate<P, Q, Rational>(query, place);
       return count + 1;
     }
-    const Triple& h = place.hessian;
-    const Pair& g = place.gradient;
-    Pair step;
-    bool definite;
-    if (P == 0)
-    {
-      definite = h[2] > kWellDefinite * place.metric[1];
-      step = { { 0.0, -g[1] / h[2] } };
-    }
-    else
-    {
-      const double determinant = h[0] * h[2] - h[1] * h[1];
-      const double inverse = 1.0 / determinant;
-      definite = h[0] > 0.0 && determinant > kWellDefinite * h[0] * h[2];
-      step = { { (h[1] * g[1] - h[2] * g[0]) * inverse, (h[1] * g[0] - h[0] * g[1]) * inverse } };
-    }
-    target = { { place.t[0] + step[0], place.t[1] + step[1] } };
-    const double longest = std::max(std::abs(step[0]), std::abs(step[1]));
+    const PlainStep<double> step = plain_step<P>(place);
+    const bool definite = step.positive > 0.0 && step.determinant > step.least;
+    target = { { place.t[0] + step.way[0], place.t[1] + step.way[1] } };
+    const double longest = std::max(std::abs(step.way[0]), std::abs(step.way[1]));
     const bool inside = target[1] > range.lower[1] && target[1] < range.upper[1] &&
       (P == 0 || (target[0] > range.lower[0] && target[0] < range.upper[0]));
     if (!definite || !inside || count >= kMostSteps)
@@ -498,7 +524,7 @@ HWY_INLINE int iterate(
     }
     if (longest <= kShortStep && longest <= kFastDecrease * before)
     {
-      expand(query, target, place);
+      expand<Rational ? 4 : 3>(query.p, target, place);
       steps = Steps::Done;
       return count;
     }
@@ -539,7 +565,7 @@ HWY_NOINLINE int go_on(const PieceQuery& query, const Range& range, int count, P
     {
       if (longest > 0.0)
       {
-        expand(query, target, *place);
+        expand<4>(query.p, target, *place);
       }
       break;
     }
@@ -660,35 +686,6 @@ HWY_INLINE std::int32_t piece_beyond(
   return next;
 }
 
-/// Newton's method on a piece and, where it leads out of that, on the smooth ones beside it. The query
-/// moves with it. Returns the number of evaluations.
-template <int P, int Q, bool Rational>
-HWY_NOINLINE int walk_on(
-  const SearchStructure& structure, const double* p, PieceQuery& query, Place& place)
-{
-  constexpr int kMostPieces = 4;
-  int count = 0;
-  for (int visited = 1;; ++visited)
-  {
-    Steps steps;
-    Pair target;
-    count += iterate<P, Q, Rational>(query, kWholePiece, place, steps, target);
-    if (steps == Steps::Done)
-    {
-      return count;
-    }
-    const std::int32_t next = steps == Steps::Left && visited < kMostPieces
-      ? piece_beyond(structure, query, target)
-      : -1;
-    if (next < 0)
-    {
-      return go_on<P, Q, Rational>(query, kWholePiece, count, place);
-    }
-    query = query_at(structure, p, next);
-    place.t = target;
-  }
-}
-
 /// Calls a function with the degrees of a piece, as far as they have code of their own, and with
 /// whether it is rational.
 template <class Function>
@@ -733,10 +730,46 @@ int descend(const PieceQuery& query, const Range& range, Place& place)
     { return descend_on<p(), q(), rational()>(query, range, place); });
 }
 
-int walk(const SearchStructure& structure, const double* p, PieceQuery& query, Place& place)
+/// Plain Newton steps that a query waits for: where from, and how they ended.
+struct Descent
 {
-  return with_shape(*query.piece->shape, [&](auto p_degree, auto q_degree, auto rational)
-    { return walk_on<p_degree(), q_degree(), rational()>(structure, p, query, place); });
+  PieceQuery query;
+  Place place;
+  Steps steps;
+  Pair target; ///< where they lead, if they leave the piece
+  int count;   ///< of evaluations
+  bool stale;  ///< the place has to be evaluated again where it is
+};
+
+/// On the whole piece.
+void take_plain_steps(Descent& descent)
+{
+  descent.stale = false;
+  with_shape(*descent.query.piece->shape,
+    [&](auto p, auto q, auto rational)
+    {
+      descent.count = iterate<p(), q(), rational()>(
+        descent.query, kWholePiece, descent.place, descent.steps, descent.target);
+    });
+}
+
+/// On to the minimum of the piece from where plain steps ended. Returns the number of all evaluations.
+int finish_descent(Descent& descent)
+{
+  if (descent.steps == Steps::Done)
+  {
+    return descent.count;
+  }
+  return with_shape(*descent.query.piece->shape,
+    [&](auto p, auto q, auto rational)
+    {
+      if (descent.stale)
+      {
+        evaluate<p(), q(), rational()>(descent.query, descent.place);
+      }
+      return go_on<p(), q(), rational()>(
+        descent.query, kWholePiece, descent.count, descent.place);
+    });
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 #define FOOTPOINT_PIECE_PROOF_INL_H
 #endif
 
-#include "footpoint/search/cell_form-inl.h"
+#include "footpoint/search/finder-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -249,7 +249,7 @@ bool Finder::prove_all()
 {
   // The best foot may be on an edge, whose pieces are approximations.
   double error = 0.0;
-  for (const PieceFoot& survivor : this->Workspace.survivors)
+  for (const PieceFoot& survivor : this->Finds.survivors)
   {
     error = std::max(error, this->Structure.forms.pieces()[survivor.piece].error);
   }
@@ -269,15 +269,15 @@ bool Finder::prove_all()
   // What is trimmed comes last: its proof wants that of the edges, and what they improve.
   for (const bool trimmed : { false, true })
   {
-    for (std::size_t k = 0; k < this->Workspace.survivors.size(); ++k)
+    for (std::size_t k = 0; k < this->Finds.survivors.size(); ++k)
     {
-      const PieceFoot survivor = this->Workspace.survivors[k];
+      const PieceFoot survivor = this->Finds.survivors[k];
       const Piece& piece = this->Structure.forms.pieces()[survivor.piece];
       const auto is_same = [&survivor](const PieceFoot& other)
       { return other.piece == survivor.piece; };
-      const auto before = this->Workspace.survivors.begin() + static_cast<std::ptrdiff_t>(k);
+      const auto before = this->Finds.survivors.begin() + static_cast<std::ptrdiff_t>(k);
       if ((piece.region != nullptr) != trimmed || (has_block && this->in_block(survivor.piece)) ||
-        std::any_of(this->Workspace.survivors.begin(), before, is_same))
+        std::any_of(this->Finds.survivors.begin(), before, is_same))
       {
         continue;
       }
