@@ -179,48 +179,107 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
   }
 }
 
-bool Finder::begin()
+/// Squared distances of the boxes of a node, and what a way down goes by: boxes that hold the point are
+/// told apart by their middles.
+HWY_INLINE void Finder::visit(std::int32_t index)
 {
-  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   const hn::CappedTag<double, 8> tag;
   const hn::Rebind<float, decltype(tag)> single;
   const int lanes = static_cast<int>(hn::Lanes(tag));
-  /// Weight of the distance of the box's middle: it decides between boxes that hold the point.
-  const auto slight = hn::Set(tag, 1e-3);
+  const auto slight = hn::Set(tag, 1e-3); // weight of the distance of the middle
   const auto half = hn::Set(tag, 0.5);
-  std::int32_t child = 0;
-  do
+  const BoxTree::Node& node = this->Structure.tree.nodes()[index];
+  Visit& visit = this->Path[this->Depth++];
+  visit.node = index;
+  visit.followed = 0;
+  this->box_distances(node, visit.squared);
+  for (int k = 0; k < BoxTree::kWidth; k += lanes)
   {
-    const BoxTree::Node& node = nodes[child];
-    Visit& visit = this->Path[this->Depth++];
-    visit.node = child;
-    this->box_distances(node, visit.squared);
-    HWY_ALIGN double score[BoxTree::kWidth];
-    auto least = hn::Set(tag, kInfinity);
-    for (int k = 0; k < BoxTree::kWidth; k += lanes)
+    auto middle = hn::Zero(tag);
+    for (int i = 0; i < 3; ++i)
     {
-      auto middle = hn::Zero(tag);
-      for (int i = 0; i < 3; ++i)
-      {
-        const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
-        const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
-        const auto way = hn::NegMulAdd(half, hn::Add(lower, upper), hn::Set(tag, this->P[i]));
-        middle = hn::MulAdd(way, way, middle);
-      }
-      const auto value = hn::MulAdd(slight, middle, hn::LoadU(tag, visit.squared + k));
-      hn::StoreU(value, tag, score + k);
-      least = hn::Min(least, value);
+      const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
+      const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
+      const auto way = hn::NegMulAdd(half, hn::Add(lower, upper), hn::Set(tag, this->P[i]));
+      middle = hn::MulAdd(way, way, middle);
     }
-    const double value = hn::GetLane(hn::MinOfLanes(tag, least));
-    // The first child, which there always is, where numbers beyond all bounds leave no bit set.
-    const std::uint64_t bits = at_most(score, BoxTree::kWidth, value);
-    visit.followed =
-      bits != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)) : 0;
-    child = node.child[visit.followed];
-  } while (child >= 0);
+    hn::StoreU(hn::MulAdd(slight, middle, hn::LoadU(tag, visit.squared + k)), tag, visit.score + k);
+  }
+}
 
-  const Visit& last = this->Path[this->Depth - 1];
-  return this->begin_with(-1 - child, last.squared[last.followed]);
+/// The child that a way down follows.
+HWY_INLINE int Finder::nearest_child(const Visit& visit)
+{
+  const hn::CappedTag<double, 8> tag;
+  auto least = hn::Set(tag, kInfinity);
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
+  {
+    least = hn::Min(least, hn::LoadU(tag, visit.score + k));
+  }
+  // The first child, which there always is, where numbers beyond all bounds leave no bit set.
+  const std::uint64_t bits =
+    at_most(visit.score, BoxTree::kWidth, hn::GetLane(hn::MinOfLanes(tag, least)));
+  return bits != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)) : 0;
+}
+
+Finder::Leaf Finder::go_down(std::int32_t child)
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  for (;;)
+  {
+    this->visit(child);
+    Visit& visit = this->Path[this->Depth - 1];
+    const int nearest = nearest_child(visit);
+    child = nodes[visit.node].child[nearest];
+    if (child < 0)
+    {
+      return { this->Depth - 1, nearest, visit.squared[nearest] };
+    }
+    visit.followed |= 1U << nearest;
+  }
+}
+
+bool Finder::begin()
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  Leaf leaf = this->go_down(0);
+  // Where boxes overlap the way down may miss the one that holds the point.
+  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0; ++more)
+  {
+    double least = kMuchNearer * leaf.squared;
+    int from = -1;
+    int next = 0;
+    for (int k = 0; k < this->Depth; ++k)
+    {
+      const Visit& visit = this->Path[k];
+      std::uint64_t nearer = at_most(visit.squared, BoxTree::kWidth, least) & ~std::uint64_t(visit.followed);
+      for (; nearer != 0; nearer &= nearer - 1)
+      {
+        const auto child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(nearer));
+        if (visit.squared[child] < least)
+        {
+          least = visit.squared[child];
+          from = k;
+          next = child;
+        }
+      }
+    }
+    if (from < 0)
+    {
+      break;
+    }
+    const std::int32_t child = nodes[this->Path[from].node].child[next];
+    Leaf other{ from, next, least };
+    if (child >= 0)
+    {
+      this->Path[from].followed |= 1U << next;
+      other = this->go_down(child);
+    }
+    leaf = other.squared < leaf.squared ? other : leaf;
+  }
+  Visit& last = this->Path[leaf.visit];
+  last.followed |= 1U << leaf.child;
+  return this->begin_with(-1 - nodes[last.node].child[leaf.child], leaf.squared);
 }
 
 void Finder::collect()
@@ -255,7 +314,7 @@ void Finder::collect()
   for (int k = this->Depth - 1; k >= 0; --k)
   {
     const Visit& visit = this->Path[k];
-    take(nodes[visit.node], visit.squared, std::uint64_t(1) << visit.followed);
+    take(nodes[visit.node], visit.squared, visit.followed);
     while (top > 0)
     {
       const BoxTree::Node& node = nodes[stack[--top]];

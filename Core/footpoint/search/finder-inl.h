@@ -44,6 +44,13 @@ constexpr int kMostHalvings = 100;
 /// piece's size. Farther away another piece may well be nearer, and a bound is what is wanted.
 constexpr double kNearPiece = 0.25;
 
+/// 2^32 boxes are eleven levels.
+constexpr int kMostLevels = 12;
+/// Ways down the tree beside the first one, each to what is nearer by more than this factor of the
+/// squared distance.
+constexpr int kMostWaysDown = 3;
+constexpr double kMuchNearer = 0.5;
+
 /// So many pieces a walk passes at the most.
 constexpr int kMostVisited = 4;
 
@@ -174,6 +181,17 @@ private:
   // === The search ===
 
   void box_distances(const BoxTree::Node& node, double* squared) const;
+  struct Visit;
+  /// A child of a visited node that is a piece.
+  struct Leaf
+  {
+    int visit;
+    int child;
+    double squared; ///< distance of the box
+  };
+  void visit(std::int32_t index);
+  static int nearest_child(const Visit& visit);
+  Leaf go_down(std::int32_t child);
   /// Goes to the piece whose box seems nearest, for a first bound; whether a descent begins there.
   bool begin();
   bool begin_with(std::int32_t index, double squared);
@@ -274,14 +292,15 @@ private:
   double P[3];
   double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
   double SquaredBound = kInfinity;
-  /// The way that begin() went down the tree.
+  /// A node on the ways that begin() went down the tree, and the children that it went on with.
   struct Visit
   {
     HWY_ALIGN double squared[BoxTree::kWidth];
+    HWY_ALIGN double score[BoxTree::kWidth];
     std::int32_t node;
-    int followed;
+    unsigned followed;
   };
-  Visit Path[16];
+  Visit Path[kMostLevels * (1 + kMostWaysDown)];
   int Depth = 0;
   Descent Pending;
   int Visited = 0;         ///< pieces, by the walk that begins; 0: it has ended
