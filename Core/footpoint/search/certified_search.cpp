@@ -323,13 +323,6 @@ void Finder::collect()
       take(node, squared, 0);
     }
   }
-  std::vector<SearchWorkspace::Candidate>& candidates = this->Finds.candidates;
-  if (candidates.size() > 1)
-  {
-    std::sort(candidates.begin(), candidates.end(),
-      [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
-      { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; });
-  }
 }
 
 Pair Finder::guess(const PieceQuery& query) const
@@ -503,10 +496,31 @@ void Finder::collect(std::int32_t index, double squared)
 
 bool Finder::next_candidate()
 {
-  const std::vector<SearchWorkspace::Candidate>& candidates = this->Finds.candidates;
+  std::vector<SearchWorkspace::Candidate>& candidates = this->Finds.candidates;
+  const auto nearer = [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
+  { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; };
+  // Most are excluded by what the first descents find: few are worth to be sorted, if they are few.
+  const bool sorted = candidates.size() > kMostUnsorted;
+  if (this->Next == 0 && sorted)
+  {
+    std::sort(candidates.begin(), candidates.end(), nearer);
+  }
+  // Beyond this nothing is of interest, whatever the margin of the piece.
+  const double reach = this->reach();
+  const double far = bound_of_length(this->P) + this->Query.size;
+  const double end = reach * reach + kMostMargin * far * far;
   while (this->Next < candidates.size())
   {
+    if (!sorted)
+    {
+      const auto next = candidates.begin() + static_cast<std::ptrdiff_t>(this->Next);
+      std::iter_swap(next, std::min_element(next, candidates.end(), nearer));
+    }
     const SearchWorkspace::Candidate& candidate = candidates[this->Next++];
+    if (candidate.bound >= end)
+    {
+      break;
+    }
     const PieceQuery query = this->at(candidate.piece);
     const Level level = this->reach_of(query);
     if (candidate.bound >= level.level + 2.0 * level.margin)
@@ -522,6 +536,7 @@ bool Finder::next_candidate()
       return true;
     }
   }
+  this->Next = candidates.size();
   this->descend_from_nearest();
   return false;
 }

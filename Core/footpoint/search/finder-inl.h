@@ -51,6 +51,11 @@ constexpr int kMostLevels = 12;
 constexpr int kMostWaysDown = 3;
 constexpr double kMuchNearer = 0.5;
 
+/// More candidates are sorted at once.
+constexpr std::size_t kMostUnsorted = 32;
+/// More than the margin of any piece, in squares of the coordinates: roundings of the highest degree.
+constexpr double kMostMargin = 1e-10;
+
 /// So many pieces a walk passes at the most.
 constexpr int kMostVisited = 4;
 

@@ -540,9 +540,9 @@ template <int P, int Q, bool Rational>
 HWY_NOINLINE int go_on(const PieceQuery& query, const Range& range, int count, Place& result)
 {
   const PieceShape& shape = *query.piece->shape;
-  Place places[2] = { result, Place{} };
-  Place* place = &places[0];
-  Place* next = &places[1];
+  Place other;
+  Place* place = &result;
+  Place* next = &other;
   double before = 1.0;
   while (count < kMostEvaluations)
   {
@@ -620,7 +620,10 @@ HWY_NOINLINE int go_on(const PieceQuery& query, const Range& range, int count, P
       }
     }
   }
-  result = *place;
+  if (place != &result)
+  {
+    result = *place;
+  }
   return count;
 }
 
