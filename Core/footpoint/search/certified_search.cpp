@@ -185,25 +185,28 @@ HWY_INLINE void Finder::visit(std::int32_t index)
 {
   const hn::CappedTag<double, 8> tag;
   const hn::Rebind<float, decltype(tag)> single;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const auto zero = hn::Zero(tag);
   const auto slight = hn::Set(tag, 1e-3); // weight of the distance of the middle
-  const auto half = hn::Set(tag, 0.5);
   const BoxTree::Node& node = this->Structure.tree.nodes()[index];
   Visit& visit = this->Path[this->Depth++];
   visit.node = index;
   visit.followed = 0;
-  this->box_distances(node, visit.squared);
-  for (int k = 0; k < BoxTree::kWidth; k += lanes)
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
   {
-    auto middle = hn::Zero(tag);
+    auto squared = zero;
+    auto middle = zero;
     for (int i = 0; i < 3; ++i)
     {
-      const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
-      const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
-      const auto way = hn::NegMulAdd(half, hn::Add(lower, upper), hn::Set(tag, this->P[i]));
-      middle = hn::MulAdd(way, way, middle);
+      const auto p = hn::Set(tag, this->P[i]);
+      const auto below = hn::Sub(hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k)), p);
+      const auto above = hn::Sub(p, hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k)));
+      const auto way = hn::Max(hn::Max(below, above), zero);
+      squared = hn::MulAdd(way, way, squared);
+      const auto twice = hn::Sub(below, above);
+      middle = hn::MulAdd(twice, twice, middle);
     }
-    hn::StoreU(hn::MulAdd(slight, middle, hn::LoadU(tag, visit.squared + k)), tag, visit.score + k);
+    hn::StoreU(squared, tag, visit.squared + k);
+    hn::StoreU(hn::MulAdd(slight, middle, squared), tag, visit.score + k);
   }
 }
 
