@@ -60,21 +60,6 @@ InversionOptions searching(Search search)
   return options;
 }
 
-/// Equal bit for bit, NaN like NaN.
-bool identical(const Foot& a, const Foot& b)
-{
-  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  bool equal = a.status == b.status && a.type == b.type && a.isolated == b.isolated &&
-    a.iterations == b.iterations && a.face == b.face && a.on_curve == b.on_curve &&
-    same(a.distance, b.distance) && same(a.signed_distance, b.signed_distance);
-  for (int i = 0; i < 3; ++i)
-  {
-    equal = equal && same(a.point(i), b.point(i)) && same(a.direction(i), b.direction(i)) &&
-      (i == 2 || same(a.parameter(i), b.parameter(i)));
-  }
-  return equal;
-}
-
 } // namespace
 
 // === All feet
