@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The proof that a piece holds nothing nearer than the best foot: the members of Finder that belong
-// to it (Documentation/CertifiedSearch.md). Included by certified_search.cpp after the class, once
-// for each set of vector instructions.
+// to it (Documentation/CertifiedSearch.md). Compiled once for each set of vector instructions.
 #if defined(FOOTPOINT_PIECE_PROOF_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_PIECE_PROOF_INL_H
 #undef FOOTPOINT_PIECE_PROOF_INL_H

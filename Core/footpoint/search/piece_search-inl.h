@@ -1,0 +1,561 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The members of Finder that search: from the first descent to the pieces that have to be proved.
+// Compiled once for each set of vector instructions (the guard of Highway's "-inl.h" headers).
+#if defined(FOOTPOINT_PIECE_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FOOTPOINT_PIECE_SEARCH_INL_H
+#undef FOOTPOINT_PIECE_SEARCH_INL_H
+#else
+#define FOOTPOINT_PIECE_SEARCH_INL_H
+#endif
+
+#include "footpoint/search/finder-inl.h"
+
+#include <algorithm>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace footpoint
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+
+/// Squared distances of the boxes of a node from the query.
+HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared) const
+{
+  const hn::CappedTag<double, 8> tag;
+  const hn::Rebind<float, decltype(tag)> single;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const auto zero = hn::Zero(tag);
+  for (int k = 0; k < BoxTree::kWidth; k += lanes)
+  {
+    auto sum = zero;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto p = hn::Set(tag, this->P[i]);
+      const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
+      const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
+      const auto way = hn::Max(hn::Max(hn::Sub(lower, p), hn::Sub(p, upper)), zero);
+      sum = hn::MulAdd(way, way, sum);
+    }
+    hn::StoreU(sum, tag, squared + k);
+  }
+}
+
+/// Squared distances of the boxes of a node, and what a way down goes by: boxes that hold the point are
+/// told apart by their middles.
+HWY_INLINE void Finder::visit(std::int32_t index)
+{
+  const hn::CappedTag<double, 8> tag;
+  const hn::Rebind<float, decltype(tag)> single;
+  const auto zero = hn::Zero(tag);
+  const auto slight = hn::Set(tag, 1e-3); // weight of the distance of the middle
+  const BoxTree::Node& node = this->Structure.tree.nodes()[index];
+  Visit& visit = this->Path[this->Depth++];
+  visit.node = index;
+  visit.followed = 0;
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
+  {
+    auto squared = zero;
+    auto middle = zero;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto p = hn::Set(tag, this->P[i]);
+      const auto below = hn::Sub(hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k)), p);
+      const auto above = hn::Sub(p, hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k)));
+      const auto way = hn::Max(hn::Max(below, above), zero);
+      squared = hn::MulAdd(way, way, squared);
+      const auto twice = hn::Sub(below, above);
+      middle = hn::MulAdd(twice, twice, middle);
+    }
+    hn::StoreU(squared, tag, visit.squared + k);
+    hn::StoreU(hn::MulAdd(slight, middle, squared), tag, visit.score + k);
+  }
+}
+
+/// The child that a way down follows.
+HWY_INLINE int Finder::nearest_child(const Visit& visit)
+{
+  const hn::CappedTag<double, 8> tag;
+  auto least = hn::Set(tag, kInfinity);
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
+  {
+    least = hn::Min(least, hn::LoadU(tag, visit.score + k));
+  }
+  // The first child, which there always is, where numbers beyond all bounds leave no bit set.
+  const std::uint64_t bits =
+    at_most(visit.score, BoxTree::kWidth, hn::GetLane(hn::MinOfLanes(tag, least)));
+  return bits != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)) : 0;
+}
+
+Finder::Leaf Finder::go_down(std::int32_t child)
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  for (;;)
+  {
+    this->visit(child);
+    Visit& visit = this->Path[this->Depth - 1];
+    const int nearest = nearest_child(visit);
+    child = nodes[visit.node].child[nearest];
+    if (child < 0)
+    {
+      return { this->Depth - 1, nearest, visit.squared[nearest] };
+    }
+    visit.followed |= 1U << nearest;
+  }
+}
+
+bool Finder::begin()
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  Leaf leaf = this->go_down(0);
+  // Where boxes overlap the way down may miss the one that holds the point.
+  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0; ++more)
+  {
+    double least = kMuchNearer * leaf.squared;
+    int from = -1;
+    int next = 0;
+    for (int k = 0; k < this->Depth; ++k)
+    {
+      const Visit& visit = this->Path[k];
+      std::uint64_t nearer = at_most(visit.squared, BoxTree::kWidth, least) & ~std::uint64_t(visit.followed);
+      for (; nearer != 0; nearer &= nearer - 1)
+      {
+        const auto child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(nearer));
+        if (visit.squared[child] < least)
+        {
+          least = visit.squared[child];
+          from = k;
+          next = child;
+        }
+      }
+    }
+    if (from < 0)
+    {
+      break;
+    }
+    const std::int32_t child = nodes[this->Path[from].node].child[next];
+    Leaf other{ from, next, least };
+    if (child >= 0)
+    {
+      this->Path[from].followed |= 1U << next;
+      other = this->go_down(child);
+    }
+    leaf = other.squared < leaf.squared ? other : leaf;
+  }
+  Visit& last = this->Path[leaf.visit];
+  last.followed |= 1U << leaf.child;
+  return this->begin_with(-1 - nodes[last.node].child[leaf.child], leaf.squared);
+}
+
+void Finder::collect()
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  // Each level leaves at most seven siblings behind; 2^32 boxes are eleven levels.
+  std::int32_t stack[BoxTree::kWidth * 16];
+  int top = 0;
+  auto take = [&](const BoxTree::Node& node, const double* squared, std::uint64_t except)
+  {
+    const double reach = this->reach();
+    const double limit = std::min(reach * reach * kOutward, std::numeric_limits<double>::max());
+    std::uint64_t hits = at_most(squared, BoxTree::kWidth, limit) & ~except;
+    for (; hits != 0; hits &= hits - 1)
+    {
+      const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero64(hits);
+      const std::int32_t child = node.child[k];
+      if (child >= 0)
+      {
+        stack[top++] = child;
+      }
+      else
+      {
+        if (!this->is_settled(-1 - child))
+        {
+          this->collect(-1 - child, squared[k]);
+        }
+      }
+    }
+  };
+  // What begin() passed on its way, the nearest first.
+  for (int k = this->Depth - 1; k >= 0; --k)
+  {
+    const Visit& visit = this->Path[k];
+    take(nodes[visit.node], visit.squared, visit.followed);
+    while (top > 0)
+    {
+      const BoxTree::Node& node = nodes[stack[--top]];
+      HWY_ALIGN double squared[BoxTree::kWidth];
+      this->box_distances(node, squared);
+      take(node, squared, 0);
+    }
+  }
+}
+
+Pair Finder::guess(const PieceQuery& query) const
+{
+  const TangentPlane& plane = this->Structure.planes[query.index];
+  Pair t;
+  for (int i = 0; i < 2; ++i)
+  {
+    double at = 0.5;
+    for (int k = 0; k < 3; ++k)
+    {
+      at += plane.rows[i][k] * (query.p[k] - plane.point[k]);
+    }
+    t[i] = std::min(std::max(at, 0.0), 1.0);
+  }
+  return t;
+}
+
+bool Finder::begin_with(std::int32_t index, double squared)
+{
+  const PieceQuery query = this->at(index);
+  const Pair start = this->guess(query);
+  const double reach = query.piece->reach;
+  if (squared <= kNearPiece * kNearPiece * reach * reach)
+  {
+    this->First = index;
+    this->FirstSquared = squared;
+    this->Visited = 1;
+    this->wait_for(query, start);
+    return true;
+  }
+  if (query.piece->region)
+  {
+    this->bound_by_point(query, query.piece->kept);
+  }
+  this->bound_by_point(query, start);
+  this->collect(index, squared);
+  return false;
+}
+
+bool Finder::walk_on()
+{
+  Descent& descent = this->Pending;
+  if (descent.steps != Steps::Left || this->Visited >= kMostVisited)
+  {
+    return false;
+  }
+  Pair target = descent.target;
+  const std::int32_t next = piece_beyond(this->Structure, descent.query, target);
+  if (next < 0)
+  {
+    return false;
+  }
+  ++this->Visited;
+  this->WalkedSteps += descent.count;
+  this->wait_for(this->at(next), target);
+  return true;
+}
+
+void Finder::end_walk()
+{
+  this->Visited = 0;
+  const int count = this->WalkedSteps + finish_descent(this->Pending);
+  const PieceQuery& query = this->Pending.query;
+  this->Begun = query.index == this->First ? query.index : -1; // elsewhere a better start may be known
+  this->take(this->foot_of(query, this->Pending.place, count));
+  this->settle();
+  if (!this->found())
+  {
+    const PieceQuery first = this->at(this->First);
+    if (first.piece->region)
+    {
+      this->bound_by_point(first, first.piece->kept); // the foot is trimmed away
+    }
+  }
+  if (!this->is_settled(this->First))
+  {
+    this->collect(this->First, this->FirstSquared);
+  }
+}
+
+bool Finder::start()
+{
+  this->Answer.count = 0;
+  this->Finds.candidates.clear();
+  this->Finds.survivors.clear();
+  if (this->Structure.tree.nodes().empty())
+  {
+    return false;
+  }
+  if (this->begin())
+  {
+    return true;
+  }
+  this->collect();
+  return this->next_candidate();
+}
+
+bool Finder::go_on()
+{
+  if (this->Visited > 0)
+  {
+    if (this->walk_on())
+    {
+      return true;
+    }
+    this->end_walk();
+    this->collect();
+  }
+  else
+  {
+    const int count = finish_descent(this->Pending);
+    this->take(this->foot_of(this->Pending.query, this->Pending.place, count));
+  }
+  return this->next_candidate();
+}
+
+void Finder::wait_for(const PieceQuery& query, const Pair& start)
+{
+  this->Pending.query = query;
+  this->Pending.place.t = start;
+}
+
+void Finder::bound_by_point(const PieceQuery& query, const Pair& t)
+{
+  Place place;
+  place.t = t;
+  evaluate_at(query, place);
+  const Level level = this->level_of(query, std::sqrt(place.squared));
+  this->bound_by(query, place.t, place.squared + 2.0 * level.margin);
+}
+
+void Finder::bound_by(const PieceQuery& query, const Pair& t, double squared)
+{
+  if (squared < this->SquaredBound && (t == query.piece->kept || is_kept(*query.piece, t)))
+  {
+    this->SquaredBound = squared;
+    this->Bound = std::sqrt(std::max(squared, 0.0)) * (1.0 + 4.0 * kRounding);
+    this->Nearest = query.index;
+    this->NearestAt = t;
+  }
+}
+
+void Finder::collect(std::int32_t index, double squared)
+{
+  const PieceQuery query = this->at(index);
+  const Piece& piece = *query.piece;
+  const PieceShape& shape = *piece.shape;
+  const Level level = this->reach_of(query);
+  double* f = this->coefficients(0, shape.form_size);
+  const double least = this->form(query, level.constant - level.margin, f);
+  if (this->excludes(least))
+  {
+    return;
+  }
+  // F = w²(|S − P|² − T) ≥ least. Of a large flat piece the box may say more.
+  const double bound = std::max(squared / kOutward,
+    level.level + least / (least < 0.0 ? piece.least_weight : piece.greatest_weight));
+  this->Finds.candidates.push_back({ index, bound });
+  // The corners are points of the piece.
+  const double* weights = piece.forms + 4 * shape.form_size;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int row = corner / 2 * (shape.rows - 1);
+    const int column = corner % 2 * (shape.columns - 1);
+    const int k = row * shape.stride + column;
+    this->bound_by(query, { { corner / 2 * 1.0, corner % 2 * 1.0 } },
+      (shape.rational ? f[k] / weights[k] : f[k]) + level.level + 2.0 * level.margin);
+  }
+}
+
+bool Finder::next_candidate()
+{
+  std::vector<SearchWorkspace::Candidate>& candidates = this->Finds.candidates;
+  const auto nearer = [](const SearchWorkspace::Candidate& a, const SearchWorkspace::Candidate& b)
+  { return a.bound != b.bound ? a.bound < b.bound : a.piece < b.piece; };
+  // Most are excluded by what the first descents find: few are worth to be sorted, if they are few.
+  const bool sorted = candidates.size() > kMostUnsorted;
+  if (this->Next == 0 && sorted)
+  {
+    std::sort(candidates.begin(), candidates.end(), nearer);
+  }
+  // Beyond this nothing is of interest, whatever the margin of the piece.
+  const double reach = this->reach();
+  const double far = bound_of_length(this->P) + this->Query.size;
+  const double end = reach * reach + kMostMargin * far * far;
+  while (this->Next < candidates.size())
+  {
+    if (!sorted)
+    {
+      const auto next = candidates.begin() + static_cast<std::ptrdiff_t>(this->Next);
+      std::iter_swap(next, std::min_element(next, candidates.end(), nearer));
+    }
+    const SearchWorkspace::Candidate& candidate = candidates[this->Next++];
+    if (candidate.bound >= end)
+    {
+      break;
+    }
+    const PieceQuery query = this->at(candidate.piece);
+    const Level level = this->reach_of(query);
+    if (candidate.bound >= level.level + 2.0 * level.margin)
+    {
+      continue;
+    }
+    const PieceShape& shape = *query.piece->shape;
+    double* f = this->coefficients(0, shape.form_size);
+    const double least = this->form(query, level.constant - level.margin, f);
+    if (!this->excludes(least))
+    {
+      this->wait_for(query, start_of(shape, f, least));
+      return true;
+    }
+  }
+  this->Next = candidates.size();
+  this->descend_from_nearest();
+  return false;
+}
+
+void Finder::descend_from_nearest()
+{
+  const auto reached = [this] { return this->found() && this->best().distance <= this->Bound; };
+  if (this->Nearest < 0 || reached())
+  {
+    return;
+  }
+  // No descent came as near as that point.
+  const PieceQuery query = this->at(this->Nearest);
+  Place place;
+  place.t = this->NearestAt;
+  const int iterations = descend(query, kWholePiece, place);
+  this->take(this->foot_of(query, place, iterations));
+  if (!reached() && query.piece->region)
+  {
+    place.t = this->NearestAt; // the way down led out of the face
+    evaluate_at(query, place);
+    this->keep(this->foot_of(query, place, 0));
+  }
+}
+
+void Finder::take(const PieceFoot& foot)
+{
+  this->Finds.survivors.push_back(foot);
+  this->keep(foot);
+}
+
+void Finder::settle()
+{
+  if (!this->found())
+  {
+    return;
+  }
+  const PieceFoot& foot = this->best();
+  const PieceNeighbourhood& around = this->Structure.neighbourhoods[foot.piece];
+  if (!(foot.distance <= around.limit))
+  {
+    return;
+  }
+  const PieceQuery query = this->at(foot.piece);
+  double gradient = around.rounding * (bound_of_length(query.p) + query.piece->reach);
+  for (int i = 0; i < 2; ++i)
+  {
+    // The end of the block holds what would go on there.
+    const double slope = foot.gradient[i];
+    const bool held = (foot.t[i] == 0.0 && slope >= 0.0 && !around.continues(i, 0)) ||
+      (foot.t[i] == 1.0 && slope <= 0.0 && !around.continues(i, 1));
+    gradient += held ? 0.0 : around.inverse_speed[i] * std::abs(slope);
+  }
+  const double tolerance = std::min(kPartOfBlock * this->Query.tolerance, foot.distance);
+  const double slack = tolerance * (2.0 * foot.distance - tolerance);
+  if (foot.distance > tolerance && !(around.square_factor * gradient * gradient <= slack))
+  {
+    return;
+  }
+  for (int k = 0; k < 9; ++k)
+  {
+    this->Block.pieces[k] = (around.block >> k & 1) != 0 ? around.pieces[k] : -1;
+  }
+  this->Block.middle = foot.piece;
+}
+
+PieceFoot Finder::foot_of(const PieceQuery& query, const Place& place, int iterations) const
+{
+  PieceFoot foot;
+  foot.piece = query.index;
+  foot.t = place.t;
+  for (int k = 0; k < 3; ++k)
+  {
+    foot.position[k] = query.piece->origin[k] + place.jet[kS][k];
+    foot.offset[k] = place.r[k];
+    foot.first[0][k] = place.jet[kSu][k];
+    foot.first[1][k] = place.jet[kSv][k];
+  }
+  foot.distance = std::sqrt(place.squared);
+  foot.gradient = place.gradient;
+  foot.hessian = place.hessian;
+  foot.metric = { { place.metric[0], place.metric[1] } };
+  const bool rational = query.piece->shape->rational;
+  foot.weight = { { rational ? place.jet[kS][3] : 1.0, rational ? place.jet[kSu][3] : 0.0,
+    rational ? place.jet[kSv][3] : 0.0 } };
+  foot.iterations = iterations;
+  return foot;
+}
+
+bool Finder::keep(const PieceFoot& foot)
+{
+  if (!(foot.distance <= this->reach()) ||
+    !is_kept(this->Structure.forms.pieces()[foot.piece], foot.t))
+  {
+    return false;
+  }
+  CertifiedAnswer& answer = this->Answer;
+  // By how much it is nearer than another foot, without the rounding of large distances.
+  auto gain = [&foot](const PieceFoot& other)
+  {
+    double difference = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      difference +=
+        (other.position[k] - foot.position[k]) * (other.offset[k] + foot.offset[k]);
+    }
+    const double sum = other.distance + foot.distance;
+    return sum > 0.0 ? difference / sum : 0.0;
+  };
+  const double tie = tie_tolerance(0.0, this->Query.size);
+  const double nearer = answer.count > 0 ? gain(answer.feet[0]) : kInfinity;
+  if (nearer < -tie)
+  {
+    return false;
+  }
+  for (int k = 0; k < answer.count; ++k)
+  {
+    const PieceFoot& other = answer.feet[k];
+    if (other.piece == foot.piece && nearer <= tie && std::abs(other.t[0] - foot.t[0]) < 1e-9 &&
+      std::abs(other.t[1] - foot.t[1]) < 1e-9)
+    {
+      return false;
+    }
+  }
+  if (nearer > 0.0)
+  {
+    // The nearest comes first; what no longer ties with it is dropped.
+    int count = 0;
+    for (int k = 0; k < answer.count; ++k)
+    {
+      if (gain(answer.feet[k]) <= tie)
+      {
+        answer.feet[count++] = answer.feet[k];
+      }
+    }
+    count = std::min(count, CertifiedAnswer::kMost - 1);
+    std::copy_backward(
+      answer.feet.begin(), answer.feet.begin() + count, answer.feet.begin() + count + 1);
+    answer.feet[0] = foot;
+    answer.count = count + 1;
+  }
+  else if (answer.count < CertifiedAnswer::kMost)
+  {
+    answer.feet[answer.count++] = foot;
+  }
+  return nearer > tie;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace footpoint
+HWY_AFTER_NAMESPACE();
+
+#endif
