@@ -25,15 +25,15 @@ struct PieceNeighbourhood
   /// 3 (i + 1) + (j + 1): one piece on by i along u and j along v; −1: none that fits.
   std::array<std::int32_t, 9> pieces;
   std::uint16_t block; ///< which of them belong to the block, one bit each
-  /// Distance up to which the foot is the nearest of the block: half of what the derivation allows,
-  /// so that the other half bounds what a gradient left over does. Negative: nothing is known.
-  float limit;
-  /// Length of the parameters' units, inverse: |Δ·gradient| ≤ |Δ| Σ_i inverse_speed[i] |gradient_i|.
-  std::array<float, 2> inverse_speed;
   /// |S − P|² falls below |r|² by no more than this times the square of what is left of the gradient.
   float square_factor;
   /// Rounding of the gradient, a part of the coordinates.
   float rounding;
+  /// Distance up to which the foot is the nearest of the block: half of what the derivation allows,
+  /// so that the other half bounds what a gradient left over does. Negative: nothing is known.
+  double limit;
+  /// Length of the parameters' units, inverse: |Δ·gradient| ≤ |Δ| Σ_i inverse_speed[i] |gradient_i|.
+  std::array<double, 2> inverse_speed;
 
   /// The piece beside this one along direction i.
   std::int32_t beside(int i, int end) const
@@ -49,7 +49,8 @@ struct PieceNeighbourhood
   }
 };
 
-/// One for each piece.
+/// One for each piece. Models so large or so small that squares of their distances are beyond all bounds
+/// have no blocks, and neither have pieces whose derivatives vanish beside the model.
 std::vector<PieceNeighbourhood> find_neighbourhoods(const std::vector<Piece>& pieces);
 
 } // namespace footpoint
