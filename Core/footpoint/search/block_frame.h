@@ -20,12 +20,14 @@ struct BlockFrame
 {
   /// Where the mean derivatives are more parallel than this sine there is no frame.
   static constexpr double kLeastSine = 1e-3;
-  /// Nor where their lengths leave this range: products of four are far from the ends of double precision.
+  /// Nor where their lengths leave this range: products of four are far from the ends of double
+  /// precision.
   static constexpr double kShortest = 0x1p-100;
   static constexpr double kLongest = 0x1p100;
 
-  /// An orthonormal basis of the plane of the mean derivatives; curves: the second one alone. For each
-  /// coordinate two times its value, then two times its magnitude, as DerivativeBounds::box is laid out.
+  /// An orthonormal basis of the plane of the mean derivatives; curves: the second one alone. For
+  /// each coordinate two times its value, then two times its magnitude, as DerivativeBounds::box is
+  /// laid out.
   Eigen::Array4d axes[2][3];
   double rows[2][2]; ///< the inverse of (mean_u, mean_v) in that basis: Δt_i = rows[i] · Δ
   double inverse[2]; ///< lengths of these rows
@@ -33,12 +35,15 @@ struct BlockFrame
   bool curve;
   bool valid = false;
 
-  BlockFrame(const Vector3& u, const Vector3& v, bool is_curve)
+  /// \param mean of the derivatives, in the middles of the intervals
+  BlockFrame(const DerivativeBounds::Box& mean, bool is_curve)
     : rows{ { 0.0, 0.0 }, { 0.0, 0.0 } }
     , inverse{ 0.0, 0.0 }
     , cosine(0.0)
     , curve(is_curve)
   {
+    const Vector3 u(mean[0](0), mean[1](0), mean[2](0));
+    const Vector3 v(mean[0](1), mean[1](1), mean[2](1));
     const double along_v = v.norm();
     if (!(along_v >= kShortest && along_v <= kLongest))
     {
@@ -75,15 +80,15 @@ struct BlockFrame
   /// Bounds over a piece of the block.
   WaySpeed speed_of(const DerivativeBounds& bounds) const
   {
-    // The first derivatives in the plane of the mean ones, by the block's parameters: the symmetric part
-    // is what they leave of Δ along Δ.
+    // The first derivatives in the plane of the mean ones, by the block's parameters: the symmetric
+    // part is what they leave of Δ along Δ.
     double middle[2][2];
     double half[2][2];
     for (int k = 0; k < 2; ++k)
     {
       // Middles of axes_k · S_u and axes_k · S_v, then half the widths.
-      const Eigen::Array4d along = bounds.box[0] * this->axes[k][0] + bounds.box[1] * this->axes[k][1] +
-        bounds.box[2] * this->axes[k][2];
+      const Eigen::Array4d along = bounds.box[0] * this->axes[k][0] +
+        bounds.box[1] * this->axes[k][1] + bounds.box[2] * this->axes[k][2];
       middle[k][0] = along(0) * this->rows[0][0] + along(1) * this->rows[1][0];
       half[k][0] = along(2) * this->rows[0][0] + along(3) * std::abs(this->rows[1][0]);
       middle[k][1] = along(1) * this->rows[1][1];

@@ -16,8 +16,8 @@ using Map4 = Eigen::Map<const Vector4, Eigen::Aligned16>;
 /// Second differences of control points are off by a few roundings of the piece's reach.
 constexpr double kRoundingOfSecond = 0x1p-48;
 
-/// The box of first differences of control points (w·x, w·y, w·z, w), and the largest second ones by
-/// magnitude.
+/// The box of first differences of control points (w·x, w·y, w·z, w), and the largest second ones
+/// by magnitude.
 struct Differences
 {
   Vector4 lower[2];
@@ -136,9 +136,8 @@ DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& un
     const int degree = piece.shape->degree[i];
     factor[i] = degree > 0 ? degree * units.width[i] / piece.width[i] : 0.0;
     // w S_i = N_i − w_i (S − origin)
-    weight[i] = rational
-      ? factor[i] * std::max(-differences.lower[i](3), differences.upper[i](3))
-      : 0.0;
+    weight[i] =
+      rational ? factor[i] * std::max(-differences.lower[i](3), differences.upper[i](3)) : 0.0;
     const double turn = weight[i] * reach;
     double squared = 0.0;
     for (int k = 0; k < 3; ++k)
@@ -163,8 +162,7 @@ DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& un
     const Vector4& second = differences.second[k];
     const double longest = (units.length * second.head<3>()).matrix().norm();
     bounds.second[k] = by_weight.over_least *
-      (factor[i] * factor[j] *
-          (part * (longest + second(3) * reach) + kRoundingOfSecond * reach) +
+      (factor[i] * factor[j] * (part * (longest + second(3) * reach) + kRoundingOfSecond * reach) +
         weight[i] * length[j] + weight[j] * length[i]);
   }
   return bounds;

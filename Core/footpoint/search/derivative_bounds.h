@@ -12,20 +12,22 @@ namespace footpoint
 struct DerivativeBounds
 {
   /// For each coordinate the middles of the intervals of S_u and of S_v, then half their widths.
-  Eigen::Array4d box[3];
+  using Box = std::array<Eigen::Array4d, 3>;
+  Box box;
   double second[3]; ///< bounds of |S_uu|, |S_uv|, |S_vv|
 };
 
-/// What the derivatives of several pieces are told in, so that they go together and no square of theirs
-/// is beyond all bounds, whatever the model's size.
+/// What the derivatives of several pieces are told in, so that they go together and no square of
+/// theirs is beyond all bounds, whatever the model's size.
 struct DerivativeUnits
 {
-  double length;               ///< a factor of all lengths, a power of two
-  std::array<double, 2> width; ///< of the local parameters that make one of those of the derivatives
+  double length; ///< a factor of all lengths, a power of two
+  std::array<double, 2>
+    width; ///< of the local parameters that make one of those of the derivatives
 };
 
-/// A curve's first direction has derivatives of zero. Where the weights leave no bound, it is infinite
-/// or NaN.
+/// A curve's first direction has derivatives of zero. Where the weights leave no bound, it is
+/// infinite or NaN.
 DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& units);
 
 } // namespace footpoint

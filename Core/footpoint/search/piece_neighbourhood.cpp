@@ -16,8 +16,8 @@ namespace footpoint
 namespace
 {
 
-/// What a piece of a block has to reach of the mean speed, along the way to any of its points: far below
-/// it the limit is too small to be of use.
+/// What a piece of a block has to reach of the mean speed, along the way to any of its points: far
+/// below it the limit is too small to be of use.
 constexpr double kLeastSpeed = 0.25;
 /// Single precision, and the rounding of what is computed here, a few times over.
 constexpr double kUp = 1.0 + 0x1p-20;
@@ -27,20 +27,20 @@ constexpr double kDown = 1.0 - 0x1p-20;
 constexpr double kSlowest = 0x1p-60;
 constexpr int kGreatestExponent = 430;
 /// What a foot's gradient is off where its last step was Taylor's expansion, for a step of 1e-7 and
-/// degrees p + q = 1, as a part of the piece's reach: ½ step² |S'''| |r| with |S'''| ≤ 2 (p + q) |S''| and
-/// |S''| |r| ≤ m² / 2, in units that are as long as 8 (p + q) times the reach.
+/// degrees p + q = 1, as a part of the piece's reach: ½ step² |S'''| |r| with |S'''| ≤ 2 (p + q)
+/// |S''| and |S''| |r| ≤ m² / 2, in units that are as long as 8 (p + q) times the reach.
 constexpr double kExpansion = 0x1p-43;
 
-/// The nets lie far apart in memory: so many pieces ahead of its use the start of one, in numbers, is
-/// asked for.
+/// The nets lie far apart in memory: so many pieces ahead of its use the start of one, in numbers,
+/// is asked for.
 constexpr std::int32_t kAhead = 4;
 constexpr int kMostAhead = 256;
 
 constexpr int kMiddle = 4;
 constexpr int kPlaces = 9;
 
-/// Over these places the way leads to one, first along u or first along v; to a side itself or from the
-/// middle.
+/// Over these places the way leads to one, first along u or first along v; to a side itself or from
+/// the middle.
 constexpr int beside_u(int at)
 {
   return 3 * (at / 3) + 1;
@@ -70,7 +70,8 @@ public:
     this->Step[1] = row - begin;
   }
 
-  /// The piece that begins where another one ends along direction i and is as wide across; −1: none.
+  /// The piece that begins where another one ends along direction i and is as wide across; −1:
+  /// none.
   std::int32_t after(std::int32_t index, int i)
   {
     const Piece& piece = this->Pieces[index];
@@ -115,7 +116,8 @@ private:
     {
       this->Order.resize(this->End - this->Begin);
       std::iota(this->Order.begin(), this->Order.end(), this->Begin);
-      std::sort(this->Order.begin(), this->Order.end(), [this](std::int32_t a, std::int32_t b)
+      std::sort(this->Order.begin(), this->Order.end(),
+        [this](std::int32_t a, std::int32_t b)
         { return is_before(this->Pieces[a].lower, this->Pieces[b].lower); });
     }
     const auto found = std::lower_bound(this->Order.begin(), this->Order.end(), corner,
@@ -143,6 +145,8 @@ void prefetch_net(const Piece& piece)
 /// Finds out of which pieces around each one a block is made, and how far it holds.
 class BlockBuilder
 {
+  using Around = std::array<const DerivativeBounds*, kPlaces>;
+
 public:
   /// \param reach the largest one of a piece
   BlockBuilder(const std::vector<Piece>& pieces, double reach)
@@ -182,10 +186,9 @@ public:
 private:
   void settle(const DerivativeUnits& units, PieceNeighbourhood& result) const
   {
-    const Piece& piece = this->Pieces[result.pieces[kMiddle]];
-    const DerivativeBounds* around[kPlaces];
-    Eigen::Array4d sum[3];
-    std::fill_n(sum, 3, Eigen::Array4d::Zero());
+    Around around;
+    DerivativeBounds::Box mean;
+    std::fill_n(mean.begin(), 3, Eigen::Array4d::Zero());
     double count = 0.0;
     for (int at = 0; at < kPlaces; ++at)
     {
@@ -194,14 +197,30 @@ private:
       {
         for (int k = 0; k < 3; ++k)
         {
-          sum[k] += around[at]->box[k];
+          mean[k] += around[at]->box[k];
         }
         count += 1.0;
       }
     }
-    const double part = 1.0 / count;
-    const BlockFrame frame(part * Vector3(sum[0](0), sum[1](0), sum[2](0)),
-      part * Vector3(sum[0](1), sum[1](1), sum[2](1)), piece.shape->degree[0] == 0);
+    for (Eigen::Array4d& coordinate : mean)
+    {
+      coordinate *= 1.0 / count;
+    }
+    this->choose(units, mean, around, result);
+    if (result.block == 0)
+    {
+      // Too far from the mean of all it is the mean itself.
+      this->choose(units, around[kMiddle]->box, around, result);
+    }
+  }
+
+  /// Makes a block of the pieces along which the way is long enough, of those at corners where both
+  /// sides beside them are in it. \param mean derivatives
+  void choose(const DerivativeUnits& units, const DerivativeBounds::Box& mean, const Around& around,
+    PieceNeighbourhood& result) const
+  {
+    const Piece& piece = this->Pieces[result.pieces[kMiddle]];
+    const BlockFrame frame(mean, piece.shape->degree[0] == 0);
     if (!frame.valid)
     {
       return;
@@ -217,7 +236,6 @@ private:
         found[at] = ways[at].speed >= kLeastSpeed && ways[at].bend <= BlockFrame::kLongest;
       }
     }
-    // Of the pieces along which the way is long enough, corners where both sides beside them are.
     double least = std::numeric_limits<double>::infinity();
     double greatest = 0.0;
     for (int at = 0; at < kPlaces; ++at)
@@ -254,7 +272,8 @@ private:
       result.inverse_speed[i] = inverse * units.length * kUp;
       steepness += shape.degree[i] * units.length * piece.reach * inverse;
     }
-    result.limit = std::min(speed * speed / (2.0 * bend) * kDown, BlockFrame::kLongest) / units.length;
+    result.limit =
+      std::min(speed * speed / (2.0 * bend) * kDown, BlockFrame::kLongest) / units.length;
     result.square_factor = static_cast<float>(2.0 / (speed * speed) * kUp);
     const double degrees = shape.degree[0] + shape.degree[1];
     const double weights = piece.greatest_weight / piece.least_weight; // the square of their ratio

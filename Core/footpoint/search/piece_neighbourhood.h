@@ -13,8 +13,8 @@ namespace footpoint
 /// A piece with the pieces of its patch that go on smoothly from it, and how near a query has to be
 /// for a foot on the piece to be the nearest point of all of them together.
 ///
-/// Let Δ be the way from the foot to another point S of the block, in parameters in which the block is
-/// measured about as in space, m a number with |S − foot| ≥ m |Δ|, and K a bound of the second
+/// Let Δ be the way from the foot to another point S of the block, in parameters in which the block
+/// is measured about as in space, m a number with |S − foot| ≥ m |Δ|, and K a bound of the second
 /// derivatives. Where r = foot − P is orthogonal to the surface,
 ///
 ///   |S − P|² − |r|² = |S − foot|² + 2 (S − foot)·r ≥ (m² − K |r|) |Δ|²,
@@ -25,14 +25,16 @@ struct PieceNeighbourhood
   /// 3 (i + 1) + (j + 1): one piece on by i along u and j along v; −1: none that fits.
   std::array<std::int32_t, 9> pieces;
   std::uint16_t block; ///< which of them belong to the block, one bit each
-  /// |S − P|² falls below |r|² by no more than this times the square of what is left of the gradient.
+  /// |S − P|² falls below |r|² by no more than this times the square of what is left of the
+  /// gradient.
   float square_factor;
   /// Rounding of the gradient, a part of the coordinates.
   float rounding;
   /// Distance up to which the foot is the nearest of the block: half of what the derivation allows,
   /// so that the other half bounds what a gradient left over does. Negative: nothing is known.
   double limit;
-  /// Length of the parameters' units, inverse: |Δ·gradient| ≤ |Δ| Σ_i inverse_speed[i] |gradient_i|.
+  /// Length of the parameters' units, inverse: |Δ·gradient| ≤ |Δ| Σ_i inverse_speed[i]
+  /// |gradient_i|.
   std::array<double, 2> inverse_speed;
 
   /// The piece beside this one along direction i.
@@ -49,8 +51,8 @@ struct PieceNeighbourhood
   }
 };
 
-/// One for each piece. Models so large or so small that squares of their distances are beyond all bounds
-/// have no blocks, and neither have pieces whose derivatives vanish beside the model.
+/// One for each piece. Models so large or so small that squares of their distances are beyond all
+/// bounds have no blocks, and neither have pieces whose derivatives vanish beside the model.
 std::vector<PieceNeighbourhood> find_neighbourhoods(const std::vector<Piece>& pieces);
 
 } // namespace footpoint
