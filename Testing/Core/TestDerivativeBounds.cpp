@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// Bounds of a piece's derivatives, and what a block makes of them, each for itself.
+
+#include "BlockJudge.h"
+#include "RandomSheets.h"
+
+#include "footpoint/search/block_frame.h"
+
+using footpoint::BlockFrame;
+using footpoint::Curve;
+using footpoint::DerivativeBounds;
+using footpoint::DerivativeUnits;
+using footpoint::Surface;
+using footpoint::Vector3;
+using footpoint::WaySpeed;
+using namespace blocks;
+
+namespace
+{
+
+/// How much of its bounds a piece makes use of, at the most.
+struct Use
+{
+  Real first = 0.0L;
+  Real second = 0.0L;
+};
+
+/// The derivatives at 6 by 6 places keep to the bounds.
+void check_piece(const Piece& piece, Use& use)
+{
+  const DerivativeUnits units{ 0.25, { { 3.0, 0.5 } } };
+  const DerivativeBounds bounds = footpoint::derivative_bounds(piece, units);
+  std::array<Real, 2> scale;
+  for (int i = 0; i < 2; ++i)
+  {
+    scale[i] = piece.width[i] > 0.0 ? units.width[i] / static_cast<Real>(piece.width[i]) : 0.0L;
+  }
+  constexpr Real kStep = 1e-5L;
+  constexpr Real kAllowed = 1.0L + 1e-12L;
+  for (int sample = 0; sample < 36; ++sample)
+  {
+    // Second derivatives are central differences of first ones.
+    Pair t{ { sample / 6 / 5.0L, sample % 6 / 5.0L } };
+    const Place place = evaluate(piece, t);
+    for (int i = 0; i < 2; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Real value = units.length * scale[i] * place.first[i][k];
+        const Real off = std::abs(value - bounds.box[k](i));
+        const Real half = bounds.box[k](2 + i);
+        const Real rounding = 1e-14L * units.length * scale[i] * piece.reach;
+        EXPECT_LE(off, half * kAllowed + rounding) << "direction " << i << " coordinate " << k;
+        use.first = std::max(use.first, half > rounding ? off / half : 0.0L);
+      }
+      for (int j = i; j < 2; ++j)
+      {
+        Pair lower = t;
+        Pair upper = t;
+        lower[j] -= kStep;
+        upper[j] += kStep;
+        const Vector difference = evaluate(piece, upper).first[i] - evaluate(piece, lower).first[i];
+        const Real value = units.length * scale[i] * scale[j] * difference.norm() / (2.0L * kStep);
+        const Real bound = bounds.second[i + j];
+        const Real off = 1e-12L * units.length * scale[i] * scale[j] * piece.reach;
+        EXPECT_LE(value, bound * (1.0L + 1e-7L) + off) << "directions " << i << " and " << j;
+        use.second = std::max(use.second, value > 1e3L * off ? value / bound : 0.0L);
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST(DerivativeBounds, HoldTheDerivatives)
+{
+  Use polynomial;
+  Use rational;
+  for (int seed = 0; seed < 200; ++seed)
+  {
+    Random random(seed);
+    std::string description;
+    const Surface surface = shapes::random_sheet(random, description).geometry();
+    const Curve curve = shapes::random_curve(random);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
+    DistanceForms forms(random.integer(0, 1) == 0 ? 1 : 50);
+    forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
+    forms.add(1, curve, Vector3::Zero(), kNoneSpecial);
+    for (const Piece& piece : forms.pieces())
+    {
+      check_piece(piece, piece.shape->rational ? rational : polynomial);
+    }
+  }
+  // They are no wider than needed: exact at the ends of a piece where the weights are equal.
+  EXPECT_GT(polynomial.first, 0.999L);
+  EXPECT_GT(polynomial.second, 0.95L);
+  EXPECT_GT(rational.first, 0.9L);
+  EXPECT_GT(rational.second, 0.8L);
+}
+
+TEST(BlockFrame, SpeedsAreTheLeastOverAllDerivativesAndWays)
+{
+  constexpr int kDirections = 180;
+  int close = 0;
+  for (int seed = 0; seed < 200; ++seed)
+  {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    Random random(seed);
+    DerivativeBounds::Box mean;
+    DerivativeBounds bounds{};
+    Vector3 first[2];
+    for (Vector3& each : first)
+    {
+      each = random.magnitude(1.0) * random.vector(-1.0, 1.0);
+    }
+    const double width = 0.3 * random.uniform(0.0, 1.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      mean[k] << first[0](k), first[1](k), 0.0, 0.0;
+      bounds.box[k] = mean[k];
+      for (int i = 0; i < 2; ++i)
+      {
+        bounds.box[k](i) += 0.1 * first[i].norm() * random.uniform(-1.0, 1.0);
+        bounds.box[k](2 + i) = width * first[i].norm() * random.uniform(0.0, 1.0);
+      }
+      bounds.second[k] = random.uniform(0.0, 1.0);
+    }
+    const BlockFrame frame(mean, false);
+    ASSERT_TRUE(frame.valid);
+    const WaySpeed found = frame.speed_of(bounds);
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0.0;
+    for (int direction = 0; direction < kDirections; ++direction)
+    {
+      const double angle = 2.0 * std::acos(-1.0) * direction / kDirections;
+      // A way of length 1 on the plane of the mean derivatives, and its parameters.
+      const Vector3 one = first[1].normalized();
+      const Vector3 two = (first[0] - first[0].dot(one) * one).normalized();
+      const Vector3 way = std::cos(angle) * one + std::sin(angle) * two;
+      Eigen::Matrix<double, 3, 2> jacobian;
+      jacobian << first[0], first[1];
+      const Eigen::Vector2d t = jacobian.colPivHouseholderQr().solve(way);
+      EXPECT_LE((jacobian * t - way).norm(), 1e-10);
+      double along = 0.0; // of the way in space along itself, at the least
+      for (int i = 0; i < 2; ++i)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const double factor = t(i) * way(k);
+          along += factor * bounds.box[k](i) - std::abs(factor) * bounds.box[k](2 + i);
+        }
+      }
+      least = std::min(least, along);
+      const Eigen::Vector2d size = t.cwiseAbs();
+      greatest = std::max(greatest,
+        bounds.second[0] * size(0) * size(0) + 2.0 * bounds.second[1] * size(0) * size(1) +
+          bounds.second[2] * size(1) * size(1));
+    }
+    EXPECT_LE(found.speed, least + 1e-12);
+    EXPECT_GE(found.bend, greatest * (1.0 - 1e-12));
+    EXPECT_LE(found.bend, 2.0 * greatest);
+    close += found.speed > least - 0.1;
+  }
+  EXPECT_GT(close, 50);
+}
+
+TEST(BlockFrame, OfDerivativesThatAreParallelOrVanishThereIsNone)
+{
+  const auto frame = [](const Vector3& u, const Vector3& v, bool curve)
+  {
+    DerivativeBounds::Box mean;
+    for (int k = 0; k < 3; ++k)
+    {
+      mean[k] << u(k), v(k), 0.0, 0.0;
+    }
+    return BlockFrame(mean, curve);
+  };
+  const Vector3 x = Vector3::UnitX();
+  const Vector3 y = Vector3::UnitY();
+  const Vector3 none = Vector3::Zero();
+  EXPECT_TRUE(frame(x, y, false).valid);
+  EXPECT_TRUE(frame(none, y, true).valid);
+  EXPECT_FALSE(frame(x, x, false).valid);
+  EXPECT_FALSE(frame(x + 1e-4 * y, x, false).valid);
+  EXPECT_FALSE(frame(none, y, false).valid);
+  EXPECT_FALSE(frame(x, none, false).valid);
+  EXPECT_FALSE(frame(none, none, true).valid);
+  EXPECT_FALSE(frame(x, 1e-50 * y, false).valid);
+  EXPECT_FALSE(frame(1e50 * x, y, false).valid);
+  EXPECT_FALSE(frame(x, NAN * y, false).valid);
+  EXPECT_FALSE(frame(NAN * x, y, false).valid);
+  EXPECT_FALSE(frame(none, INFINITY * Vector3::Ones(), true).valid);
+}
