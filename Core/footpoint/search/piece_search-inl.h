@@ -458,7 +458,14 @@ void Finder::settle()
       (foot.t[i] == 1.0 && slope <= 0.0 && !around.continues(i, 1));
     gradient += held ? 0.0 : around.inverse_speed[i] * std::abs(slope);
   }
-  const double tolerance = std::min(kPartOfBlock * this->Query.tolerance, foot.distance);
+  // Positions, the query and the distance are off by a few roundings of their size.
+  const double moved = 32.0 * kRounding * (this->Query.size + bound_of_length(query.p));
+  const double tolerance =
+    std::min(kPartOfBlock * this->Query.tolerance - moved, foot.distance);
+  if (tolerance < 0.0)
+  {
+    return;
+  }
   const double slack = tolerance * (2.0 * foot.distance - tolerance);
   if (foot.distance > tolerance && !(around.square_factor * gradient * gradient <= slack))
   {
