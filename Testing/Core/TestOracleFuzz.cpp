@@ -9,6 +9,7 @@
 #include "FormerFailures.h"
 #include "FuzzGeometry.h"
 #include "Inversion.h"
+#include "SlowBuild.h"
 
 #include <cstdlib>
 #include <ctime>
@@ -25,12 +26,6 @@ using oracle::Vector;
 
 namespace
 {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
-constexpr bool kSlowBuild = true;
-#else
-constexpr bool kSlowBuild = false;
-#endif
 
 /// 8 shards of 12,500 and 3 of 10,000 around centres and ties.
 constexpr int kShards = 8;

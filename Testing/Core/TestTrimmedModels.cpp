@@ -8,6 +8,7 @@
 
 #include "FootJudge.h"
 #include "RandomFaces.h"
+#include "SlowBuild.h"
 #include "TrimFaces.h"
 
 #include <gtest/gtest.h>
@@ -19,11 +20,7 @@ namespace
 
 using namespace judge;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
-constexpr int kQueries = 300;
-#else
-constexpr int kQueries = 4000;
-#endif
+constexpr int kQueries = kSlowBuild ? 300 : 4000;
 
 int number_from(const char* variable, int otherwise)
 {
