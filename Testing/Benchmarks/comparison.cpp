@@ -125,14 +125,6 @@ struct Entry
   std::vector<Answer> answers;
 };
 
-void pass(Peer& peer, const Points& points, std::vector<Answer>& answers)
-{
-  for (std::size_t k = 0; k < answers.size(); ++k)
-  {
-    answers[k] = peer.project(points.col(static_cast<Eigen::Index>(k)));
-  }
-}
-
 /// How many points a program does in the budget.
 std::size_t affordable(Peer& peer, const Points& points, double budget)
 {
@@ -141,7 +133,7 @@ std::size_t affordable(Peer& peer, const Points& points, double budget)
   for (;;)
   {
     std::vector<Answer> answers(count);
-    const double spent = cpu_seconds([&] { pass(peer, points, answers); });
+    const double spent = cpu_seconds([&] { peer.project_all(points, answers); });
     if (spent > 0.05 * budget || count == all)
     {
       const double most = static_cast<double>(count) * budget / std::max(spent, 1e-9);
@@ -162,7 +154,7 @@ void time_by_turns(std::vector<Entry>& entries, const Points& points, const Sett
   {
     for (Entry& entry : entries)
     {
-      const double spent = cpu_seconds([&] { pass(*entry.peer, points, entry.answers); });
+      const double spent = cpu_seconds([&] { entry.peer->project_all(points, entry.answers); });
       entry.passes.push_back(1e6 * spent / static_cast<double>(entry.answers.size()));
     }
   }

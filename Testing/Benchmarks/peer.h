@@ -34,10 +34,14 @@ public:
   virtual bool build(const Shape& shape) = 0;
   /// \pre build() was true
   virtual Answer project(const Vector3& point) = 0;
+  /// As many of the points as there are answers: one by one where the program knows nothing else.
+  virtual void project_all(const Points& points, std::vector<Answer>& answers);
 };
 
 /// PointInverter::find, one query at a time.
 std::unique_ptr<Peer> make_footpoint();
+/// footpoint::invert, all points in one call.
+std::unique_ptr<Peer> make_footpoint_batch();
 /// Open CASCADE: ShapeAnalysis_Surface::ValueOfUV, ShapeAnalysis_Curve::Project.
 std::unique_ptr<Peer> make_occt();
 /// SINTEF's spline library: s1954, s1953.
@@ -46,8 +50,11 @@ std::unique_ptr<Peer> make_sisl();
 /// 4,000 segments).
 std::unique_ptr<Peer> make_vtk_locator();
 
-/// Ours and those that were found when this was configured, ours first.
+/// Ours, one by one and in batches, and those that were found when this was configured, ours first.
 std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only);
+
+/// Whether a program is ours, by its name.
+bool is_ours(const std::string& program);
 
 /// A model of one face, for PointInverter.
 footpoint::Model model_of(const Shape& shape);

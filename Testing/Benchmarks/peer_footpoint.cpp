@@ -3,6 +3,8 @@
 
 #include "footpoint/model/point_inversion.h"
 
+#include <algorithm>
+
 namespace inversion_benchmark
 {
 namespace
@@ -22,25 +24,68 @@ public:
 
   Answer project(const Vector3& point) override
   {
-    const footpoint::Foot foot = this->Inverter->find(point);
+    return answer_of(this->Inverter->find(point, {}, this->Workspace));
+  }
+
+protected:
+  static Answer answer_of(const footpoint::Foot& foot)
+  {
     return { foot.distance, foot.parameter, foot.status == footpoint::Status::Certified };
   }
 
-private:
   std::unique_ptr<footpoint::PointInverter> Inverter;
+
+private:
+  footpoint::PointInverter::Workspace Workspace;
+};
+
+class FootpointBatch : public Footpoint
+{
+public:
+  std::string name() const override { return "Footpoint batch"; }
+
+  void project_all(const Points& points, std::vector<Answer>& answers) override
+  {
+    const auto count = static_cast<Eigen::Index>(answers.size());
+    footpoint::invert(*this->Inverter, points.leftCols(count), {}, {},
+      [&](std::int64_t first, const footpoint::InversionResult& part)
+      {
+        std::transform(part.feet.begin(), part.feet.end(),
+          answers.begin() + static_cast<std::ptrdiff_t>(first), answer_of);
+      });
+  }
 };
 
 } // namespace
+
+void Peer::project_all(const Points& points, std::vector<Answer>& answers)
+{
+  for (std::size_t k = 0; k < answers.size(); ++k)
+  {
+    answers[k] = this->project(points.col(static_cast<Eigen::Index>(k)));
+  }
+}
 
 std::unique_ptr<Peer> make_footpoint()
 {
   return std::make_unique<Footpoint>();
 }
 
+std::unique_ptr<Peer> make_footpoint_batch()
+{
+  return std::make_unique<FootpointBatch>();
+}
+
+bool is_ours(const std::string& program)
+{
+  return program.rfind("Footpoint", 0) == 0;
+}
+
 std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only)
 {
   std::vector<std::unique_ptr<Peer>> all;
   all.push_back(make_footpoint());
+  all.push_back(make_footpoint_batch());
   if (!ours_only)
   {
 #ifdef BENCHMARK_OCCT

@@ -17,12 +17,14 @@ import matplotlib
 matplotlib.use("Agg")  # no display
 import matplotlib.pyplot as plt  # noqa: E402
 
+OURS = "Footpoint"
+BATCH = "Footpoint batch"  # all points in one call
 MAIN_CLASSES = ("on", "near", "off", "far")
 # Colours that colour-blind readers tell apart (M. Okabe and K. Ito 2008), and shapes for print.
-STYLES = {"Footpoint": ("#d55e00", "o"), "OCCT": ("#0072b2", "s"), "SISL": ("#009e73", "^"),
+STYLES = {OURS: ("#d55e00", "o"), BATCH: ("#e69f00", "v"),
+          "OCCT": ("#0072b2", "s"), "SISL": ("#009e73", "^"),
           "VTK locator": ("#cc79a7", "D")}
 TIME = "time a point [µs]"
-OURS = "Footpoint"
 # Shades from light to dark for what gets newer or larger, and hatches for print.
 SHADES = (("#f6c9a8", ""), ("#e8915a", "//"), ("#d55e00", ""), ("#7a3600", ""))
 SMALLEST_ERROR = 1e-17  # what an error of 0 is drawn as
@@ -122,12 +124,14 @@ def draw_pieces(axes, rows):
         label = f"{program}, 200 × 200 mesh" if program == "VTK locator" else program
         curve(axes, part(rows, "pieces", program), "microseconds", STYLES[program], label=label)
     axes.set(xscale="log", yscale="log", xlabel="Bézier pieces", ylabel=TIME,
-             title="One query at a time, half a piece off")
+             title="Points in the order of a scan, half a piece off")
     pieces_legend(axes)
 
 
 def draw_build(axes, rows):
     for program in programs(rows):
+        if program == BATCH:
+            continue  # built like the other
         shown = part(rows, "pieces", program)
         curve(axes, [row for row in shown if row["build_ms"] > 0], "build_ms", STYLES[program],
               label=program)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tables.h"
 
+#include "peer.h"
+
 #include <fstream>
 #include <ostream>
 #include <thread>
@@ -64,9 +66,12 @@ void print_means(std::ostream& out, const Records& records)
   const std::vector<std::string> programs = distinct(records, &Record::program);
   std::vector<std::string> columns{ "shape" };
   columns.insert(columns.end(), programs.begin(), programs.end());
-  for (std::size_t k = 1; k < programs.size(); ++k)
+  for (const std::string& program : programs)
   {
-    columns.push_back(programs[k] + " / ours");
+    if (!is_ours(program))
+    {
+      columns.push_back(program + " / ours");
+    }
   }
   print_head(out, columns, 1);
   for (const std::string& shape : distinct(records, &Record::shape))
@@ -78,7 +83,7 @@ void print_means(std::ostream& out, const Records& records)
     {
       const double mean = mean_time(records, shape, program);
       out << " | " << number(mean);
-      ratios += program == programs.front() ? "" : " | " + number(mean / own);
+      ratios += is_ours(program) ? "" : " | " + number(mean / own);
     }
     out << ratios << " |\n";
   }
@@ -106,7 +111,6 @@ void print_comparison(std::ostream& out, const Records& records)
   {
     return;
   }
-  const std::string ours = distinct(records, &Record::program).front();
   out << "Mean of on, near, off and far, µs a point:\n\n";
   print_means(out, records);
   out << "µs a point:\n\n";
@@ -114,11 +118,11 @@ void print_comparison(std::ostream& out, const Records& records)
   out << "Largest error by the size; of ours the wrong answers, of the others the share of points "
          "off by more than 1e-6 × size:\n\n";
   print_cells(out, records,
-    [&](const Record& r)
+    [](const Record& r)
     {
       const double missed = 100.0 * static_cast<double>(r.missed) / static_cast<double>(r.checked);
       return small(r.error) + ", " +
-        (r.program == ours ? std::to_string(r.wrong) + " of " + std::to_string(r.checked)
+        (is_ours(r.program) ? std::to_string(r.wrong) + " of " + std::to_string(r.checked)
                            : number(missed) + " %");
     });
 }
