@@ -16,8 +16,9 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <new>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -40,54 +41,62 @@ void find_nearest(const SearchStructure& structure, const CertifiedQuery& query,
 void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* queries, int count,
   SearchWorkspace& workspace, CertifiedAnswer* answers)
 {
-  alignas(Finder) unsigned char memory[CertifiedSearch::kTogether * sizeof(Finder)];
-  Finder* waiting[CertifiedSearch::kTogether];
-  int number = 0;
-  for (int k = 0; k < count; ++k)
+  using Line = SearchWorkspace::Line;
+  static_assert(alignof(Finder) <= alignof(Line), "the memory must fit");
+  constexpr std::size_t kLines = (sizeof(Finder) + sizeof(Line) - 1) / sizeof(Line);
+  workspace.searches.resize(CertifiedSearch::kTogether * kLines);
+  struct Waiting
   {
-    Finder* finder =
-      new (memory + k * sizeof(Finder)) Finder(structure, queries[k], k, workspace, answers[k]);
-    if (finder->start())
+    std::int32_t piece;
+    int number;
+    Finder* finder;
+
+    bool operator<(const Waiting& other) const
     {
-      waiting[number++] = finder;
+      return this->piece != other.piece ? this->piece < other.piece : this->number < other.number;
+    }
+  };
+  Waiting waiting[CertifiedSearch::kTogether];
+  int left = 0;
+  const auto wait_or_finish = [&](Finder* finder, int number, bool waits)
+  {
+    if (waits)
+    {
+      waiting[left++] = { finder->pending().query.index, number, finder };
     }
     else
     {
       finder->finish();
     }
-  }
-  while (number > 0)
+  };
+  for (int k = 0; k < count; ++k)
   {
-    const auto piece_of = [](Finder* finder) { return finder->pending().query.index; };
-    std::sort(waiting, waiting + number,
-      [&](Finder* a, Finder* b) { return std::make_pair(piece_of(a), a) < std::make_pair(piece_of(b), b); });
-    for (int first = 0; first < number;)
+    Finder* finder = new (&workspace.searches[static_cast<std::size_t>(k) * kLines])
+      Finder(structure, queries[k], k, workspace, answers[k]);
+    wait_or_finish(finder, k, finder->start());
+  }
+  while (left > 0)
+  {
+    const int all = left;
+    std::sort(waiting, waiting + all);
+    for (int first = 0; first < all;)
     {
-      Descent* packet[Lanes::kCount];
-      int size = 0;
+      Descent* packet[Lanes::kCount] = {};
+      const int begin = first;
       do
       {
-        packet[size] = &waiting[first + size]->pending();
-        ++size;
-      } while (size < Lanes::kCount && first + size < number &&
-        piece_of(waiting[first + size]) == packet[0]->query.index);
-      take_plain_steps(packet, size);
-      first += size;
+        packet[first - begin] = &waiting[first].finder->pending();
+        ++first;
+      } while (first < all && first - begin < Lanes::kCount &&
+        waiting[first].piece == waiting[begin].piece);
+      take_plain_steps(packet, first - begin);
     }
-    int left = 0;
-    for (int k = 0; k < number; ++k)
+    left = 0;
+    for (int k = 0; k < all; ++k)
     {
-      Finder* finder = waiting[k];
-      if (finder->go_on())
-      {
-        waiting[left++] = finder;
-      }
-      else
-      {
-        finder->finish();
-      }
+      const Waiting each = waiting[k];
+      wait_or_finish(each.finder, each.number, each.finder->go_on());
     }
-    number = left;
   }
 }
 

@@ -58,7 +58,14 @@ struct SearchWorkspace
     double allowed; ///< how far F may fall below zero; negative: not known yet
   };
 
-  std::vector<Finds> finds; ///< of each query that is under way
+  /// Memory of vectors.
+  struct alignas(64) Line
+  {
+    unsigned char bytes[64];
+  };
+
+  std::vector<Finds> finds;   ///< of each query that is under way …
+  std::vector<Line> searches; ///< … and its state, if there are several
   std::vector<Cell> cells;
   std::vector<HardCell> hard_cells;
   std::vector<double> coefficients; ///< of the cells, one after the other
