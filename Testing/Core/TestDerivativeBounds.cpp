@@ -6,6 +6,7 @@
 #include "RandomSheets.h"
 
 #include "footpoint/search/block_frame.h"
+#include "footpoint/search/rational_derivatives.h"
 
 using footpoint::BlockFrame;
 using footpoint::Curve;
@@ -30,7 +31,10 @@ struct Use
 void check_piece(const Piece& piece, Use& use)
 {
   const DerivativeUnits units{ 0.25, { { 3.0, 0.5 } } };
-  const DerivativeBounds bounds = footpoint::derivative_bounds(piece, units);
+  footpoint::RationalDerivatives rational;
+  const DerivativeBounds bounds = piece.shape->rational
+    ? rational.bounds(piece, units)
+    : footpoint::derivative_bounds(piece, units);
   std::array<Real, 2> scale;
   for (int i = 0; i < 2; ++i)
   {

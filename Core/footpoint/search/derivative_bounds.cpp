@@ -16,8 +16,8 @@ using Map4 = Eigen::Map<const Vector4, Eigen::Aligned16>;
 /// Second differences of control points are off by a few roundings of the piece's reach.
 constexpr double kRoundingOfSecond = 0x1p-48;
 
-/// The box of first differences of control points (w·x, w·y, w·z, w), and the largest second ones
-/// by magnitude.
+/// The box of first differences of control points (x, y, z, 1), and the largest second ones by
+/// magnitude.
 struct Differences
 {
   Vector4 lower[2];
@@ -101,69 +101,35 @@ private:
   }
 };
 
-/// The interval of a number divided by one in [least, greatest] > 0.
-struct Quotient
-{
-  double over_least;    ///< 1 / least
-  double over_greatest; ///< 1 / greatest
-
-  double lower(double number) const
-  {
-    return number * (number > 0.0 ? this->over_greatest : this->over_least);
-  }
-  double upper(double number) const
-  {
-    return number * (number > 0.0 ? this->over_least : this->over_greatest);
-  }
-};
-
 } // namespace
 
 DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& units)
 {
   const Differences differences(piece);
-  const bool rational = piece.shape->rational;
-  // The coefficients of w² bound it (convex-hull property), so their roots bound w.
-  const Quotient by_weight{ rational ? 1.0 / std::sqrt(piece.least_weight) : 1.0,
-    rational ? 1.0 / std::sqrt(piece.greatest_weight) : 1.0 };
   const double reach = units.length * piece.reach;
   DerivativeBounds bounds;
   double factor[2]; // of differences, for derivatives by the units' parameters
-  double length[2]; // of S_i and of w_i
-  double weight[2];
   for (int i = 0; i < 2; ++i)
   {
     const int degree = piece.shape->degree[i];
     factor[i] = degree > 0 ? degree * units.width[i] / piece.width[i] : 0.0;
-    // w S_i = N_i − w_i (S − origin)
-    weight[i] =
-      rational ? factor[i] * std::max(-differences.lower[i](3), differences.upper[i](3)) : 0.0;
-    const double turn = weight[i] * reach;
-    double squared = 0.0;
     for (int k = 0; k < 3; ++k)
     {
       const double scale = factor[i] * units.length;
-      const double from = by_weight.lower(scale * differences.lower[i](k) - turn);
-      const double to = by_weight.upper(scale * differences.upper[i](k) + turn);
+      const double from = scale * differences.lower[i](k);
+      const double to = scale * differences.upper[i](k);
       bounds.box[k](i) = 0.5 * (from + to);
       bounds.box[k](2 + i) = 0.5 * (to - from);
-      const double greatest = std::max(-from, to);
-      squared += greatest * greatest;
     }
-    length[i] = rational ? std::sqrt(squared) : 0.0;
   }
-  // w S_ij = N_ij − w_i S_j − w_j S_i − w_ij (S − origin)
   for (int k = 0; k < 3; ++k)
   {
     const int i = k / 2;
     const int j = (k + 1) / 2;
     const double degree = piece.shape->degree[i];
     const double part = i == j && degree > 0.0 ? (degree - 1.0) / degree : 1.0;
-    const Vector4& second = differences.second[k];
-    const double longest = (units.length * second.head<3>()).matrix().norm();
-    bounds.second[k] = by_weight.over_least *
-      (factor[i] * factor[j] * (part * (longest + second(3) * reach) + kRoundingOfSecond * reach) +
-        weight[i] * length[j] + weight[j] * length[i]);
+    const double longest = (units.length * differences.second[k].head<3>()).matrix().norm();
+    bounds.second[k] = factor[i] * factor[j] * (part * longest + kRoundingOfSecond * reach);
   }
   return bounds;
 }

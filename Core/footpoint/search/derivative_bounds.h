@@ -8,7 +8,7 @@
 namespace footpoint
 {
 
-/// Bounds of the derivatives of S over a piece, from the differences of its control points.
+/// Bounds of the derivatives of S over a piece.
 struct DerivativeBounds
 {
   /// For each coordinate the middles of the intervals of S_u and of S_v, then half their widths.
@@ -26,8 +26,8 @@ struct DerivativeUnits
     width; ///< of the local parameters that make one of those of the derivatives
 };
 
-/// A curve's first direction has derivatives of zero. Where the weights leave no bound, it is
-/// infinite or NaN.
+/// From the differences of control points. A curve's first direction has derivatives of zero.
+/// \pre the piece is not rational; RationalDerivatives bounds those that are
 DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& units);
 
 } // namespace footpoint

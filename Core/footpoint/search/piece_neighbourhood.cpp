@@ -2,6 +2,7 @@
 #include "footpoint/search/piece_neighbourhood.h"
 
 #include "footpoint/search/block_frame.h"
+#include "footpoint/search/rational_derivatives.h"
 
 #include <hwy/cache_control.h>
 
@@ -172,7 +173,9 @@ public:
       {
         prefetch_net(this->Pieces[k + kAhead]);
       }
-      this->Bounds[k] = derivative_bounds(this->Pieces[k], units);
+      const Piece& piece = this->Pieces[k];
+      this->Bounds[k] = piece.shape->rational ? this->Rational.bounds(piece, units)
+                                              : derivative_bounds(piece, units);
     }
     for (std::int32_t k = begin; k < end; ++k)
     {
@@ -283,6 +286,7 @@ private:
 
   const std::vector<Piece>& Pieces;
   std::unique_ptr<DerivativeBounds[]> Bounds;
+  RationalDerivatives Rational;
   double Length; ///< factor that makes the model's about 1
   bool Fits;
 };

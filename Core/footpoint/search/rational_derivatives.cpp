@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footpoint/search/rational_derivatives.h"
+
+#include "footpoint/splines/binomials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace footpoint
+{
+namespace
+{
+
+using Map4 = Eigen::Map<const Eigen::Array4d, Eigen::Aligned16>;
+
+/// C(m, i) C(n, j), j fastest.
+std::vector<double> products_of_binomials(int m, int n)
+{
+  const std::vector<double> rows = binomials(m);
+  const std::vector<double> columns = binomials(n);
+  std::vector<double> result;
+  for (const double row : rows)
+  {
+    for (const double column : columns)
+    {
+      result.push_back(row * column);
+    }
+  }
+  return result;
+}
+
+/// The derivative of a polynomial of degree n, raised to that degree: coefficient k, from those
+/// before, at and after it. The first has none before it, nor the last one after it.
+Eigen::Array4d raised_slope(const Eigen::Array4d* at, int k, int n, int step)
+{
+  Eigen::Array4d slope = Eigen::Array4d::Zero();
+  if (k > 0)
+  {
+    slope += k * (*at - *(at - step));
+  }
+  if (k < n)
+  {
+    slope += (n - k) * (*(at + step) - *at);
+  }
+  return slope;
+}
+
+/// The largest slope, and that of the weight, as parts of the weight.
+struct Slopes
+{
+  double squared = 0.0;
+  double of_weight = 0.0;
+
+  void add(const Eigen::Array4d& slope, double inverse)
+  {
+    const Eigen::Array4d part = slope * inverse;
+    this->squared = std::max(this->squared, part.head<3>().matrix().squaredNorm());
+    this->of_weight = std::max(this->of_weight, std::abs(part(3)));
+  }
+
+  double bound(double radius) const { return std::sqrt(this->squared) + this->of_weight * radius; }
+};
+
+} // namespace
+
+void RationalDerivatives::prepare(const PieceShape& shape)
+{
+  if (this->Shape == &shape)
+  {
+    return;
+  }
+  this->Shape = &shape;
+  this->Binomials = products_of_binomials(shape.degree[0], shape.degree[1]);
+  this->Divisors = products_of_binomials(2 * shape.degree[0], 2 * shape.degree[1]);
+  for (double& divisor : this->Divisors)
+  {
+    divisor = 1.0 / divisor;
+  }
+  this->Net.resize(this->Binomials.size());
+  this->Inverses.resize(this->Divisors.size());
+  for (std::vector<Vector4>& products : this->Products)
+  {
+    products.resize(this->Divisors.size());
+  }
+}
+
+/// With control points (N, w) times their binomials,
+///
+///   u (1 − u) w² S_u = Σ (b − a) (w_ac N_bd − w_bd N_ac) u^{a+b} (1−u)^{2p−a−b} v^{c+d} (1−v)^{…}
+///
+/// over pairs a < b, all c and d, from B_a B_b' − B_a' B_b = (b − a) B_a B_b / (u (1 − u)); along v
+/// likewise.
+void RationalDerivatives::multiply(const double* net)
+{
+  const int p = this->Shape->degree[0];
+  const int q = this->Shape->degree[1];
+  for (std::size_t k = 0; k < this->Net.size(); ++k)
+  {
+    this->Net[k] = this->Binomials[k] * Map4(net + 4 * k);
+  }
+  for (std::vector<Vector4>& products : this->Products)
+  {
+    std::fill(products.begin(), products.end(), Vector4::Zero());
+  }
+  const Vector4* one = this->Net.data();
+  for (int a = 0; a <= p; ++a)
+  {
+    for (int c = 0; c <= q; ++c, ++one)
+    {
+      const Vector4 here = *one;
+      // The rest of the row, then the rows after it.
+      for (int b = a; b <= p; ++b)
+      {
+        const int first = b == a ? c + 1 : 0;
+        const Vector4* other = this->Net.data() + b * (q + 1) + first;
+        const int place = (a + b) * (2 * q + 1) + c + first;
+        Vector4* along_u = this->Products[0].data() + place;
+        Vector4* along_v = this->Products[1].data() + place;
+        const double rows = b - a;
+        double columns = first - c;
+        for (int d = first; d <= q; ++d, ++other, ++along_u, ++along_v, columns += 1.0)
+        {
+          const Vector4 across = here(3) * *other - (*other)(3) * here;
+          *along_u += rows * across;
+          *along_v += columns * across;
+        }
+      }
+    }
+  }
+}
+
+/// Leaves (e, ω) in the products, boxes and radii.
+void RationalDerivatives::divide(const Piece& piece, double length, DerivativeBounds& result)
+{
+  const PieceShape& shape = *this->Shape;
+  const double* weights = piece.forms + 4 * shape.form_size;
+  const int steps[2] = { shape.columns, 1 };
+  const int ends[2] = { shape.rows - 1, shape.columns - 1 };
+  for (int row = 0; row < shape.rows; ++row)
+  {
+    for (int column = 0; column < shape.columns; ++column)
+    {
+      this->Inverses[row * shape.columns + column] = 1.0 / weights[row * shape.stride + column];
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    // Dividing by u (1 − u) and raising by two degrees, times (u + 1 − u)², sum three in a row.
+    Vector4* products = this->Products[i].data();
+    const int step = steps[i];
+    Vector4 least = Vector4::Constant(std::numeric_limits<double>::infinity());
+    Vector4 most = -least;
+    for (int line = 0; line <= ends[1 - i]; ++line)
+    {
+      Vector4 before = Vector4::Zero();
+      for (int k = 0; k <= ends[i]; ++k)
+      {
+        const int place = line * steps[1 - i] + k * step;
+        const Vector4 here = products[place];
+        Vector4 sum = before + 2.0 * here;
+        if (k < ends[i])
+        {
+          sum += products[place + step];
+        }
+        before = here;
+        const Vector4 coefficient = (this->Divisors[place] * length) * sum;
+        products[place] = coefficient;
+        const Vector4 quotient = coefficient * this->Inverses[place];
+        least = least.min(quotient);
+        most = most.max(quotient);
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      result.box[k](i) = 0.5 * (least(k) + most(k));
+      result.box[k](2 + i) = 0.5 * (most(k) - least(k));
+    }
+    Vector4 middle(result.box[0](i), result.box[1](i), result.box[2](i), -1.0);
+    double squared = 0.0;
+    for (int row = 0; row < shape.rows; ++row)
+    {
+      for (int column = 0; column < shape.columns; ++column)
+      {
+        Vector4& product = products[row * shape.columns + column];
+        product -= weights[row * shape.stride + column] * middle;
+        const Vector4 quotient = this->Inverses[row * shape.columns + column] * product;
+        squared = std::max(squared, quotient.head<3>().matrix().squaredNorm());
+      }
+    }
+    this->Radius[i] = std::sqrt(squared);
+  }
+}
+
+void RationalDerivatives::bound_second(DerivativeBounds& result) const
+{
+  const PieceShape& shape = *this->Shape;
+  Slopes slopes[2][2]; // of e of the first, along the second direction
+  int place = 0;
+  for (int row = 0; row < shape.rows; ++row)
+  {
+    for (int column = 0; column < shape.columns; ++column, ++place)
+    {
+      for (int i = 0; i < 2; ++i)
+      {
+        const Vector4* at = this->Products[i].data() + place;
+        slopes[i][0].add(
+          raised_slope(at, row, shape.rows - 1, shape.columns), this->Inverses[place]);
+        slopes[i][1].add(raised_slope(at, column, shape.columns - 1, 1), this->Inverses[place]);
+      }
+    }
+  }
+  result.second[0] = slopes[0][0].bound(this->Radius[0]);
+  result.second[1] =
+    std::min(slopes[0][1].bound(this->Radius[0]), slopes[1][0].bound(this->Radius[1]));
+  result.second[2] = slopes[1][1].bound(this->Radius[1]);
+}
+
+DerivativeBounds RationalDerivatives::bounds(const Piece& piece, const DerivativeUnits& units)
+{
+  this->prepare(*piece.shape);
+  this->multiply(piece.net);
+  DerivativeBounds result;
+  this->divide(piece, units.length, result);
+  this->bound_second(result);
+  // A pair of control points contributes (b − a) times 2 w_a w_b × reach at the most, and the pairs
+  // of a coefficient w_a w_b to one of w²; at degree 2p − 2 instead of 2p their binomials make 2p
+  // of it. So the sums of magnitudes are p² (2 × reach) × the greatest coefficient, and as many
+  // roundings of them as a form has, divided by the least one, bound what S_i and m are off;
+  // slopes along j are differences of two of either, 2 degree_j times, and those of the weight as
+  // much of S_i − m.
+  const double unit = units.length * piece.shape->roundings * 0x1p-53 * piece.reach *
+    (piece.greatest_weight / piece.least_weight);
+  double factor[2];
+  double rounding[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double degree = piece.shape->degree[i];
+    factor[i] = degree > 0.0 ? units.width[i] / piece.width[i] : 0.0;
+    rounding[i] = 2.0 * degree * degree * unit;
+    for (Eigen::Array4d& coordinate : result.box)
+    {
+      coordinate(i) *= factor[i];
+      coordinate(2 + i) = factor[i] * (coordinate(2 + i) + rounding[i]);
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = k / 2;
+    const int j = (k + 1) / 2;
+    const double most =
+      std::max(piece.shape->degree[j] * rounding[i], piece.shape->degree[i] * rounding[j]);
+    result.second[k] = factor[i] * factor[j] * (result.second[k] + 16.0 * most);
+  }
+  return result;
+}
+
+} // namespace footpoint

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "footpoint/search/derivative_bounds.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace footpoint
+{
+
+/// Bounds the derivatives of rational pieces S = N / w, one after the other, from the Bernstein
+/// coefficients d_k of w² S_u = w N_u − w_u N and ω_k of w² at the degree of the forms: S_u lies in
+/// the hull of d_k / ω_k, as all ω_k are positive. The same for S_v.
+///
+/// Of the second derivatives, with m any vector and e = w² (S_i − m) in Bernstein form,
+///
+///   w² S_ij = e_j − (w²)_j (S_i − m),
+///
+/// where S_i − m is small for m in the middle of the box: |S_ij| is at most the largest of
+/// |(e_j)_k| / ω_k and that of |((w²)_j)_k| / ω_k times the radius of S_i about m.
+///
+/// The work is that of the squares of the forms, (p + 1)² (q + 1)² / 2 products of vectors. The
+/// memory is that of two forms of vectors, for the shape of the last piece.
+class RationalDerivatives
+{
+public:
+  /// A curve's first direction has derivatives of zero. Where the weights leave no bound, it is
+  /// infinite or NaN. \pre the piece is rational
+  DerivativeBounds bounds(const Piece& piece, const DerivativeUnits& units);
+
+private:
+  using Vector4 = Eigen::Array4d;
+
+  void prepare(const PieceShape& shape);
+  void multiply(const double* net);
+  void divide(const Piece& piece, double length, DerivativeBounds& result);
+  void bound_second(DerivativeBounds& result) const;
+
+  const PieceShape* Shape = nullptr;
+  std::vector<double> Binomials; ///< C(p, a) C(q, c), as the control points of a net
+  std::vector<double> Divisors;  ///< 1 / (C(2p, k) C(2q, l)), rows without padding
+  std::vector<Vector4> Net;      ///< times Binomials
+  /// Sums of pairs of control points, then (e, ω), for either direction; rows without padding.
+  std::vector<Vector4> Products[2];
+  std::vector<double> Inverses; ///< 1 / ω_k
+  double Radius[2];             ///< of S_i about the middle of its box
+};
+
+} // namespace footpoint
