@@ -40,7 +40,7 @@ void check_piece(const Piece& piece, Use& use)
   {
     scale[i] = piece.width[i] > 0.0 ? units.width[i] / static_cast<Real>(piece.width[i]) : 0.0L;
   }
-  constexpr Real kStep = 1e-5L;
+  constexpr Real kStep = 1e-6L;
   constexpr Real kAllowed = 1.0L + 1e-12L;
   for (int sample = 0; sample < 36; ++sample)
   {
