@@ -77,6 +77,26 @@ struct BlockFrame
     this->valid = true;
   }
 
+  /// The least length along itself of a way of length 1 in the parameters, where these are the
+  /// derivatives.
+  double least_speed(const Vector3& u, const Vector3& v) const
+  {
+    double part[2][2];
+    for (int k = 0; k < 2; ++k)
+    {
+      const Vector3 axis(this->axes[k][0](0), this->axes[k][1](0), this->axes[k][2](0));
+      const double along_u = axis.dot(u);
+      const double along_v = axis.dot(v);
+      part[k][0] = along_u * this->rows[0][0] + along_v * this->rows[1][0];
+      part[k][1] = along_v * this->rows[1][1];
+    }
+    const double difference = part[0][0] - part[1][1];
+    const double mixed = part[0][1] + part[1][0];
+    return this->curve ? part[1][1]
+                       : 0.5 *
+        (part[0][0] + part[1][1] - std::sqrt(difference * difference + mixed * mixed));
+  }
+
   /// Bounds over a piece of the block.
   WaySpeed speed_of(const DerivativeBounds& bounds) const
   {

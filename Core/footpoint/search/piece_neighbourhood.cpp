@@ -20,6 +20,9 @@ namespace
 /// What a piece of a block has to reach of the mean speed, along the way to any of its points: far
 /// below it the limit is too small to be of use.
 constexpr double kLeastSpeed = 0.25;
+/// Below this speed a rational piece is looked at more sharply, at about the price of its bounds:
+/// the limit goes with the square, and can gain by more than four.
+constexpr double kUnsharp = 0.5;
 /// Single precision, and the rounding of what is computed here, a few times over.
 constexpr double kUp = 1.0 + 0x1p-20;
 constexpr double kDown = 1.0 - 0x1p-20;
@@ -39,6 +42,8 @@ constexpr int kMostAhead = 256;
 
 constexpr int kMiddle = 4;
 constexpr int kPlaces = 9;
+/// Each place after those that lie between it and the middle.
+constexpr int kOutwards[kPlaces] = { kMiddle, 1, 3, 5, 7, 0, 2, 6, 8 };
 
 /// Over these places the way leads to one, first along u or first along v; to a side itself or from
 /// the middle.
@@ -187,7 +192,7 @@ public:
   }
 
 private:
-  void settle(const DerivativeUnits& units, PieceNeighbourhood& result) const
+  void settle(const DerivativeUnits& units, PieceNeighbourhood& result)
   {
     Around around;
     DerivativeBounds::Box mean;
@@ -220,7 +225,7 @@ private:
   /// Makes a block of the pieces along which the way is long enough, of those at corners where both
   /// sides beside them are in it. \param mean derivatives
   void choose(const DerivativeUnits& units, const DerivativeBounds::Box& mean, const Around& around,
-    PieceNeighbourhood& result) const
+    PieceNeighbourhood& result)
   {
     const Piece& piece = this->Pieces[result.pieces[kMiddle]];
     const BlockFrame frame(mean, piece.shape->degree[0] == 0);
@@ -228,32 +233,38 @@ private:
     {
       return;
     }
-    WaySpeed ways[kPlaces];
-    bool found[kPlaces];
-    for (int at = 0; at < kPlaces; ++at)
-    {
-      found[at] = around[at] != nullptr;
-      if (around[at])
-      {
-        ways[at] = frame.speed_of(*around[at]);
-        found[at] = ways[at].speed >= kLeastSpeed && ways[at].bend <= BlockFrame::kLongest;
-      }
-    }
     double least = std::numeric_limits<double>::infinity();
     double greatest = 0.0;
-    for (int at = 0; at < kPlaces; ++at)
+    for (const int at : kOutwards)
     {
-      if (found[kMiddle] && found[at] && found[beside_u(at)] && found[beside_v(at)])
+      const int between = at == kMiddle ? 0 : (1 << beside_u(at) | 1 << beside_v(at)) & ~(1 << at);
+      if (around[at] && (between & ~result.block) == 0)
       {
-        least = std::min(least, ways[at].speed);
-        greatest = std::max(greatest, ways[at].bend);
-        result.block = static_cast<std::uint16_t>(result.block | 1 << at);
+        const WaySpeed way =
+          this->way_of(this->Pieces[result.pieces[at]], units, frame, *around[at]);
+        if (way.speed >= kLeastSpeed && way.bend <= BlockFrame::kLongest)
+        {
+          least = std::min(least, way.speed);
+          greatest = std::max(greatest, way.bend);
+          result.block = static_cast<std::uint16_t>(result.block | 1 << at);
+        }
       }
     }
     if (result.block != 0)
     {
       this->set_limit(units, frame, least * kDown, greatest, result);
     }
+  }
+
+  WaySpeed way_of(const Piece& piece, const DerivativeUnits& units, const BlockFrame& frame,
+    const DerivativeBounds& bounds)
+  {
+    WaySpeed way = frame.speed_of(bounds);
+    if (piece.shape->rational && way.speed < kUnsharp)
+    {
+      way.speed = std::max(way.speed, this->Rational.speed(piece, units, frame));
+    }
+    return way;
   }
 
   /// \param speed, bend of the worst pieces of the block

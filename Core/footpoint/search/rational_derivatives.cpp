@@ -62,6 +62,29 @@ struct Slopes
   double bound(double radius) const { return std::sqrt(this->squared) + this->of_weight * radius; }
 };
 
+/// What bounds by the parameters of a piece are multiplied by, after adding the rounding of d / ω.
+struct Scales
+{
+  double factor[2];
+  double rounding[2];
+
+  /// A pair of control points contributes (b − a) times 2 w_a w_b × reach at the most, and the
+  /// pairs of a coefficient w_a w_b to one of w²; at degree 2p − 2 instead of 2p their binomials
+  /// make 2p of it. So magnitudes sum up to p² (2 × reach) × the greatest coefficient, divided by
+  /// the least one, and there are no more roundings of them than a form has.
+  Scales(const Piece& piece, const DerivativeUnits& units)
+  {
+    const double unit = units.length * piece.shape->roundings * 0x1p-53 * piece.reach *
+      (piece.greatest_weight / piece.least_weight);
+    for (int i = 0; i < 2; ++i)
+    {
+      const double degree = piece.shape->degree[i];
+      this->factor[i] = degree > 0.0 ? units.width[i] / piece.width[i] : 0.0;
+      this->rounding[i] = 2.0 * degree * degree * unit;
+    }
+  }
+};
+
 } // namespace
 
 void RationalDerivatives::prepare(const PieceShape& shape)
@@ -130,13 +153,11 @@ void RationalDerivatives::multiply(const double* net)
   }
 }
 
-/// Leaves (e, ω) in the products, boxes and radii.
-void RationalDerivatives::divide(const Piece& piece, double length, DerivativeBounds& result)
+/// Makes d of the products, in units of length.
+void RationalDerivatives::divide(const Piece& piece, double length)
 {
   const PieceShape& shape = *this->Shape;
   const double* weights = piece.forms + 4 * shape.form_size;
-  const int steps[2] = { shape.columns, 1 };
-  const int ends[2] = { shape.rows - 1, shape.columns - 1 };
   for (int row = 0; row < shape.rows; ++row)
   {
     for (int column = 0; column < shape.columns; ++column)
@@ -144,47 +165,62 @@ void RationalDerivatives::divide(const Piece& piece, double length, DerivativeBo
       this->Inverses[row * shape.columns + column] = 1.0 / weights[row * shape.stride + column];
     }
   }
+  const int steps[2] = { shape.columns, 1 };
+  const int ends[2] = { shape.rows - 1, shape.columns - 1 };
   for (int i = 0; i < 2; ++i)
   {
-    // Dividing by u (1 − u) and raising by two degrees, times (u + 1 − u)², sum three in a row.
-    Vector4* products = this->Products[i].data();
-    const int step = steps[i];
-    Vector4 least = Vector4::Constant(std::numeric_limits<double>::infinity());
-    Vector4 most = -least;
+    // Dividing by u (1 − u) and raising by two degrees, times (u + 1 − u)², sums three in a row.
     for (int line = 0; line <= ends[1 - i]; ++line)
     {
+      int place = line * steps[1 - i];
       Vector4 before = Vector4::Zero();
-      for (int k = 0; k <= ends[i]; ++k)
+      for (int k = 0; k <= ends[i]; ++k, place += steps[i])
       {
-        const int place = line * steps[1 - i] + k * step;
-        const Vector4 here = products[place];
+        const Vector4 here = this->Products[i][place];
         Vector4 sum = before + 2.0 * here;
         if (k < ends[i])
         {
-          sum += products[place + step];
+          sum += this->Products[i][place + steps[i]];
         }
         before = here;
-        const Vector4 coefficient = (this->Divisors[place] * length) * sum;
-        products[place] = coefficient;
-        const Vector4 quotient = coefficient * this->Inverses[place];
-        least = least.min(quotient);
-        most = most.max(quotient);
+        this->Products[i][place] = (this->Divisors[place] * length) * sum;
       }
     }
+  }
+}
+
+/// Boxes and radii; makes (e, ω) of d.
+void RationalDerivatives::bound_first(const Piece& piece, DerivativeBounds& result)
+{
+  const PieceShape& shape = *this->Shape;
+  const double* weights = piece.forms + 4 * shape.form_size;
+  for (int i = 0; i < 2; ++i)
+  {
+    Vector4 least = Vector4::Constant(std::numeric_limits<double>::infinity());
+    Vector4 most = -least;
+    for (std::size_t k = 0; k < this->Inverses.size(); ++k)
+    {
+      const Vector4 quotient = this->Inverses[k] * this->Products[i][k];
+      least = least.min(quotient);
+      most = most.max(quotient);
+    }
+    const Vector4 half = 0.5 * (most - least);
+    Vector4 middle = 0.5 * (least + most);
     for (int k = 0; k < 3; ++k)
     {
-      result.box[k](i) = 0.5 * (least(k) + most(k));
-      result.box[k](2 + i) = 0.5 * (most(k) - least(k));
+      result.box[k](i) = middle(k);
+      result.box[k](2 + i) = half(k);
     }
-    Vector4 middle(result.box[0](i), result.box[1](i), result.box[2](i), -1.0);
+    middle(3) = -1.0;
     double squared = 0.0;
+    int place = 0;
     for (int row = 0; row < shape.rows; ++row)
     {
-      for (int column = 0; column < shape.columns; ++column)
+      for (int column = 0; column < shape.columns; ++column, ++place)
       {
-        Vector4& product = products[row * shape.columns + column];
+        Vector4& product = this->Products[i][place];
         product -= weights[row * shape.stride + column] * middle;
-        const Vector4 quotient = this->Inverses[row * shape.columns + column] * product;
+        const Vector4 quotient = this->Inverses[place] * product;
         squared = std::max(squared, quotient.head<3>().matrix().squaredNorm());
       }
     }
@@ -220,39 +256,51 @@ DerivativeBounds RationalDerivatives::bounds(const Piece& piece, const Derivativ
 {
   this->prepare(*piece.shape);
   this->multiply(piece.net);
+  this->divide(piece, units.length);
   DerivativeBounds result;
-  this->divide(piece, units.length, result);
+  this->bound_first(piece, result);
   this->bound_second(result);
-  // A pair of control points contributes (b − a) times 2 w_a w_b × reach at the most, and the pairs
-  // of a coefficient w_a w_b to one of w²; at degree 2p − 2 instead of 2p their binomials make 2p
-  // of it. So the sums of magnitudes are p² (2 × reach) × the greatest coefficient, and as many
-  // roundings of them as a form has, divided by the least one, bound what S_i and m are off;
-  // slopes along j are differences of two of either, 2 degree_j times, and those of the weight as
-  // much of S_i − m.
-  const double unit = units.length * piece.shape->roundings * 0x1p-53 * piece.reach *
-    (piece.greatest_weight / piece.least_weight);
-  double factor[2];
-  double rounding[2];
+  const Scales scales(piece, units);
   for (int i = 0; i < 2; ++i)
   {
-    const double degree = piece.shape->degree[i];
-    factor[i] = degree > 0.0 ? units.width[i] / piece.width[i] : 0.0;
-    rounding[i] = 2.0 * degree * degree * unit;
-    for (Eigen::Array4d& coordinate : result.box)
+    for (Vector4& coordinate : result.box)
     {
-      coordinate(i) *= factor[i];
-      coordinate(2 + i) = factor[i] * (coordinate(2 + i) + rounding[i]);
+      coordinate(i) *= scales.factor[i];
+      coordinate(2 + i) = scales.factor[i] * (coordinate(2 + i) + scales.rounding[i]);
     }
   }
   for (int k = 0; k < 3; ++k)
   {
+    // Slopes along j are differences of two of d or of m ω, 2 degree_j times, and those of the
+    // weight are off as much of S_i − m.
     const int i = k / 2;
     const int j = (k + 1) / 2;
-    const double most =
-      std::max(piece.shape->degree[j] * rounding[i], piece.shape->degree[i] * rounding[j]);
-    result.second[k] = factor[i] * factor[j] * (result.second[k] + 16.0 * most);
+    const double most = std::max(piece.shape->degree[j] * scales.rounding[i],
+      piece.shape->degree[i] * scales.rounding[j]);
+    result.second[k] = scales.factor[i] * scales.factor[j] * (result.second[k] + 16.0 * most);
   }
   return result;
+}
+
+double RationalDerivatives::speed(
+  const Piece& piece, const DerivativeUnits& units, const BlockFrame& frame)
+{
+  this->prepare(*piece.shape);
+  this->multiply(piece.net);
+  this->divide(piece, units.length);
+  const Scales scales(piece, units);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < this->Inverses.size(); ++k)
+  {
+    const Vector3 u =
+      this->Inverses[k] * scales.factor[0] * this->Products[0][k].head<3>().matrix();
+    const Vector3 v =
+      this->Inverses[k] * scales.factor[1] * this->Products[1][k].head<3>().matrix();
+    least = std::min(least, frame.least_speed(u, v));
+  }
+  const double rounding = scales.factor[0] * scales.rounding[0] * frame.inverse[0] +
+    scales.factor[1] * scales.rounding[1] * frame.inverse[1];
+  return least - 2.0 * rounding;
 }
 
 } // namespace footpoint

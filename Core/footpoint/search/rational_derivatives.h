@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "footpoint/search/derivative_bounds.h"
+#include "footpoint/search/block_frame.h"
 
 #include <Eigen/Core>
 
@@ -30,19 +30,24 @@ public:
   /// infinite or NaN. \pre the piece is rational
   DerivativeBounds bounds(const Piece& piece, const DerivativeUnits& units);
 
+  /// BlockFrame::speed_of's bound from both derivatives together instead of a box of each: the
+  /// least eigenvalue is a concave function of them, least at one of the pairs of coefficients.
+  double speed(const Piece& piece, const DerivativeUnits& units, const BlockFrame& frame);
+
 private:
   using Vector4 = Eigen::Array4d;
 
   void prepare(const PieceShape& shape);
   void multiply(const double* net);
-  void divide(const Piece& piece, double length, DerivativeBounds& result);
+  void divide(const Piece& piece, double length);
+  void bound_first(const Piece& piece, DerivativeBounds& result);
   void bound_second(DerivativeBounds& result) const;
 
   const PieceShape* Shape = nullptr;
   std::vector<double> Binomials; ///< C(p, a) C(q, c), as the control points of a net
   std::vector<double> Divisors;  ///< 1 / (C(2p, k) C(2q, l)), rows without padding
   std::vector<Vector4> Net;      ///< times Binomials
-  /// Sums of pairs of control points, then (e, ω), for either direction; rows without padding.
+  /// Sums of pairs of control points, then d and e, for either direction; rows without padding.
   std::vector<Vector4> Products[2];
   std::vector<double> Inverses; ///< 1 / ω_k
   double Radius[2];             ///< of S_i about the middle of its box
