@@ -5,8 +5,9 @@
 #include "BlockJudge.h"
 #include "RandomSheets.h"
 
-#include "footpoint/search/block_frame.h"
 #include "footpoint/search/rational_derivatives.h"
+
+#include <Eigen/Eigenvalues>
 
 using footpoint::BlockFrame;
 using footpoint::Curve;
@@ -20,38 +21,64 @@ using namespace blocks;
 namespace
 {
 
-/// How much of its bounds a piece makes use of, at the most.
+/// How much of its bounds a piece makes use of, at the most, and how much of them all pieces do.
 struct Use
 {
   Real first = 0.0L;
   Real second = 0.0L;
+  Real shares = 0.0L; ///< of the boxes' diagonals that samples span, and of the largest bound
+  int count = 0;
+
+  Real share() const { return this->shares / this->count; }
 };
+
+DerivativeBounds bounds_of(const Piece& piece, const DerivativeUnits& units)
+{
+  footpoint::RationalDerivatives rational;
+  return piece.shape->rational ? rational.bounds(piece, units)
+                               : footpoint::derivative_bounds(piece, units);
+}
+
+/// Derivatives by the units' parameters.
+std::array<Vector, 2> derivatives(const Piece& piece, const DerivativeUnits& units, const Pair& t)
+{
+  std::array<Vector, 2> first = evaluate(piece, t).first;
+  for (int i = 0; i < 2; ++i)
+  {
+    const Real width = piece.width[i];
+    first[i] *= width > 0.0L ? units.length * units.width[i] / width : 0.0L;
+  }
+  return first;
+}
 
 /// The derivatives at 6 by 6 places keep to the bounds.
 void check_piece(const Piece& piece, Use& use)
 {
   const DerivativeUnits units{ 0.25, { { 3.0, 0.5 } } };
-  footpoint::RationalDerivatives rational;
-  const DerivativeBounds bounds = piece.shape->rational
-    ? rational.bounds(piece, units)
-    : footpoint::derivative_bounds(piece, units);
+  const DerivativeBounds bounds = bounds_of(piece, units);
   std::array<Real, 2> scale;
   for (int i = 0; i < 2; ++i)
   {
     scale[i] = piece.width[i] > 0.0 ? units.width[i] / static_cast<Real>(piece.width[i]) : 0.0L;
   }
+  std::array<Vector, 2> lower;
+  std::array<Vector, 2> upper;
+  lower.fill(Vector::Constant(std::numeric_limits<Real>::infinity()));
+  upper.fill(-lower[0]);
   constexpr Real kStep = 1e-6L;
   constexpr Real kAllowed = 1.0L + 1e-12L;
   for (int sample = 0; sample < 36; ++sample)
   {
     // Second derivatives are central differences of first ones.
     Pair t{ { sample / 6 / 5.0L, sample % 6 / 5.0L } };
-    const Place place = evaluate(piece, t);
+    const std::array<Vector, 2> first = derivatives(piece, units, t);
     for (int i = 0; i < 2; ++i)
     {
+      lower[i] = lower[i].cwiseMin(first[i]);
+      upper[i] = upper[i].cwiseMax(first[i]);
       for (int k = 0; k < 3; ++k)
       {
-        const Real value = units.length * scale[i] * place.first[i][k];
+        const Real value = first[i][k];
         const Real off = std::abs(value - bounds.box[k](i));
         const Real half = bounds.box[k](2 + i);
         const Real rounding = 1e-14L * units.length * scale[i] * piece.reach;
@@ -60,17 +87,29 @@ void check_piece(const Piece& piece, Use& use)
       }
       for (int j = i; j < 2; ++j)
       {
-        Pair lower = t;
-        Pair upper = t;
-        lower[j] -= kStep;
-        upper[j] += kStep;
-        const Vector difference = evaluate(piece, upper).first[i] - evaluate(piece, lower).first[i];
+        Pair before = t;
+        Pair after = t;
+        before[j] -= kStep;
+        after[j] += kStep;
+        const Vector difference =
+          evaluate(piece, after).first[i] - evaluate(piece, before).first[i];
         const Real value = units.length * scale[i] * scale[j] * difference.norm() / (2.0L * kStep);
         const Real bound = bounds.second[i + j];
         const Real off = 1e-12L * units.length * scale[i] * scale[j] * piece.reach;
         EXPECT_LE(value, bound * (1.0L + 1e-7L) + off) << "directions " << i << " and " << j;
         use.second = std::max(use.second, value > 1e3L * off ? value / bound : 0.0L);
       }
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const Real spanned = 0.5L * (upper[i] - lower[i]).norm();
+    const Real half =
+      Vector(bounds.box[0](2 + i), bounds.box[1](2 + i), bounds.box[2](2 + i)).norm();
+    if (spanned > 1e-9L * units.length * scale[i] * piece.reach)
+    {
+      use.shares += spanned / half;
+      ++use.count;
     }
   }
 }
@@ -99,8 +138,75 @@ TEST(DerivativeBounds, HoldTheDerivatives)
   // They are no wider than needed: exact at the ends of a piece where the weights are equal.
   EXPECT_GT(polynomial.first, 0.999L);
   EXPECT_GT(polynomial.second, 0.95L);
-  EXPECT_GT(rational.first, 0.9L);
-  EXPECT_GT(rational.second, 0.8L);
+  EXPECT_GT(rational.first, 0.999L);
+  EXPECT_GT(rational.second, 0.95L);
+  EXPECT_GT(polynomial.share(), 0.9L);
+  EXPECT_GT(rational.share(), 0.9L);
+}
+
+TEST(RationalDerivatives, SpeedIsTheLeastOverThePiece)
+{
+  int judged = 0;
+  int close = 0;
+  int sharper = 0;
+  const DerivativeUnits units{ 0.25, { { 3.0, 0.5 } } };
+  footpoint::RationalDerivatives rational;
+  for (int seed = 0; seed < 400; ++seed)
+  {
+    Random random(seed);
+    std::string description;
+    const Surface surface = shapes::random_sheet(random, description).geometry();
+    const Curve curve = shapes::random_curve(random);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
+    DistanceForms forms(random.integer(0, 1) == 0 ? 1 : 50);
+    forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
+    forms.add(1, curve, Vector3::Zero(), kNoneSpecial);
+    for (const Piece& piece : forms.pieces())
+    {
+      if (!piece.shape->rational)
+      {
+        continue;
+      }
+      const DerivativeBounds bounds = bounds_of(piece, units);
+      const BlockFrame frame(bounds.box, piece.shape->degree[0] == 0);
+      if (!frame.valid)
+      {
+        continue;
+      }
+      Real least = std::numeric_limits<Real>::infinity();
+      for (int sample = 0; sample < 36; ++sample)
+      {
+        const std::array<Vector, 2> first =
+          derivatives(piece, units, { { sample / 6 / 5.0L, sample % 6 / 5.0L } });
+        // The symmetric part of the derivatives by the block's parameters, and its eigenvalues.
+        Eigen::Matrix<Real, 2, 2> part;
+        for (int i = 0; i < 2; ++i)
+        {
+          const Vector axis(frame.axes[i][0](0), frame.axes[i][1](0), frame.axes[i][2](0));
+          for (int j = 0; j < 2; ++j)
+          {
+            part(i, j) = axis.dot(first[0] * static_cast<Real>(frame.rows[0][j]) +
+              first[1] * static_cast<Real>(frame.rows[1][j]));
+          }
+        }
+        const Eigen::Matrix<Real, 2, 2> symmetric = 0.5L * (part + part.transpose());
+        least = std::min(least,
+          frame.curve
+            ? part(1, 1)
+            : Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 2, 2>>(symmetric).eigenvalues()(0));
+      }
+      const double found = rational.speed(piece, units, frame);
+      const double of_boxes = frame.speed_of(bounds).speed;
+      EXPECT_LE(found, least + 1e-12L);
+      EXPECT_GE(found, of_boxes - 1e-9 * (1.0 + std::abs(of_boxes)));
+      ++judged;
+      close += found > least - 0.05L;
+      sharper += found > of_boxes + 0.1;
+    }
+  }
+  EXPECT_GT(judged, 5000);
+  EXPECT_GT(close, 0.85 * judged);
+  EXPECT_GT(sharper, 0.5 * judged);
 }
 
 TEST(BlockFrame, SpeedsAreTheLeastOverAllDerivativesAndWays)

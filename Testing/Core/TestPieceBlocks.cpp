@@ -29,7 +29,7 @@ TEST(PieceBlocks, NothingOfABlockIsNearer)
   }
   // Some of them are folded, collapsed, rough or far from evenly parametrized.
   EXPECT_GT(smooth.blocks, 0.4 * smooth.pieces);
-  EXPECT_GT(rational.blocks, 0.07 * rational.pieces);
+  EXPECT_GT(rational.blocks, 0.5 * rational.pieces);
   EXPECT_GT(smooth.queries, 4000);
   EXPECT_GT(rational.queries, 1000);
 }
@@ -82,6 +82,28 @@ TEST(PieceBlocks, SmoothSheetsAreAllBlocks)
   EXPECT_GT(whole, 0.99 * 25 * 25);
 }
 
+TEST(PieceBlocks, PiecesOfSurfacesOfRevolutionHaveSome)
+{
+  const auto share = [](const Surface& surface)
+  {
+    Random random(3);
+    DistanceForms forms;
+    forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
+    Counts counts;
+    judge(random, forms, surface.size(), 500, counts);
+    EXPECT_EQ(counts.queries, 500);
+    int blocks = 0;
+    for (const PieceNeighbourhood& each : footpoint::find_neighbourhoods(forms.pieces()))
+    {
+      blocks += each.limit > 2e-3 * surface.size();
+    }
+    return static_cast<double>(blocks) / static_cast<double>(forms.pieces().size());
+  };
+  EXPECT_EQ(share(shapes::torus()), 1.0);
+  EXPECT_EQ(share(shapes::cylinder()), 1.0);
+  EXPECT_EQ(share(shapes::sphere()), 0.5); // none at the poles
+}
+
 TEST(PieceBlocks, PlanesHaveNoCurvature)
 {
   for (const double turn : { 0.0, 0.3 })
@@ -95,14 +117,19 @@ TEST(PieceBlocks, PlanesHaveNoCurvature)
   }
 }
 
-TEST(PieceBlocks, ScaleWithTheModel)
+namespace
+{
+
+/// \param weights none: not rational
+void expect_to_scale(const Eigen::VectorXd& weights)
 {
   const Surface surface = shapes::bumpy(8, 5);
   const Points net = surface.local_control_points();
   const auto neighbourhoods = [&](int exponent)
   {
     DistanceForms forms(1);
-    const Surface scaled(surface.knots(0), surface.knots(1), std::ldexp(1.0, exponent) * net);
+    const Surface scaled(
+      surface.knots(0), surface.knots(1), std::ldexp(1.0, exponent) * net, weights);
     forms.add(0, scaled, Vector3::Zero(), kNoneSpecial);
     return footpoint::find_neighbourhoods(forms.pieces());
   };
@@ -133,6 +160,24 @@ TEST(PieceBlocks, ScaleWithTheModel)
       EXPECT_LT(each.limit, 0.0);
     }
   }
+}
+
+} // namespace
+
+TEST(PieceBlocks, ScaleWithTheModel)
+{
+  expect_to_scale({});
+}
+
+TEST(PieceBlocks, ScaleWithTheModelThatIsRational)
+{
+  Random random(4);
+  Eigen::VectorXd weights(64);
+  for (double& each : weights)
+  {
+    each = random.uniform(0.7, 1.4);
+  }
+  expect_to_scale(weights);
 }
 
 TEST(PieceBlocks, ModelsOfOnePointHaveNone)

@@ -92,9 +92,9 @@ struct BlockFrame
     }
     const double difference = part[0][0] - part[1][1];
     const double mixed = part[0][1] + part[1][0];
-    return this->curve ? part[1][1]
-                       : 0.5 *
-        (part[0][0] + part[1][1] - std::sqrt(difference * difference + mixed * mixed));
+    return this->curve
+      ? part[1][1]
+      : 0.5 * (part[0][0] + part[1][1] - std::sqrt(difference * difference + mixed * mixed));
   }
 
   /// Bounds over a piece of the block.

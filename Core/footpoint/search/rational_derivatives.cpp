@@ -89,11 +89,11 @@ struct Scales
 
 void RationalDerivatives::prepare(const PieceShape& shape)
 {
-  if (this->Shape == &shape)
+  if (this->Degree == shape.degree)
   {
     return;
   }
-  this->Shape = &shape;
+  this->Degree = shape.degree;
   this->Binomials = products_of_binomials(shape.degree[0], shape.degree[1]);
   this->Divisors = products_of_binomials(2 * shape.degree[0], 2 * shape.degree[1]);
   for (double& divisor : this->Divisors)
@@ -116,8 +116,8 @@ void RationalDerivatives::prepare(const PieceShape& shape)
 /// likewise.
 void RationalDerivatives::multiply(const double* net)
 {
-  const int p = this->Shape->degree[0];
-  const int q = this->Shape->degree[1];
+  const int p = this->Degree[0];
+  const int q = this->Degree[1];
   for (std::size_t k = 0; k < this->Net.size(); ++k)
   {
     this->Net[k] = this->Binomials[k] * Map4(net + 4 * k);
@@ -156,7 +156,7 @@ void RationalDerivatives::multiply(const double* net)
 /// Makes d of the products, in units of length.
 void RationalDerivatives::divide(const Piece& piece, double length)
 {
-  const PieceShape& shape = *this->Shape;
+  const PieceShape& shape = *piece.shape;
   const double* weights = piece.forms + 4 * shape.form_size;
   for (int row = 0; row < shape.rows; ++row)
   {
@@ -192,7 +192,7 @@ void RationalDerivatives::divide(const Piece& piece, double length)
 /// Boxes and radii; makes (e, ω) of d.
 void RationalDerivatives::bound_first(const Piece& piece, DerivativeBounds& result)
 {
-  const PieceShape& shape = *this->Shape;
+  const PieceShape& shape = *piece.shape;
   const double* weights = piece.forms + 4 * shape.form_size;
   for (int i = 0; i < 2; ++i)
   {
@@ -228,9 +228,8 @@ void RationalDerivatives::bound_first(const Piece& piece, DerivativeBounds& resu
   }
 }
 
-void RationalDerivatives::bound_second(DerivativeBounds& result) const
+void RationalDerivatives::bound_second(const PieceShape& shape, DerivativeBounds& result) const
 {
-  const PieceShape& shape = *this->Shape;
   Slopes slopes[2][2]; // of e of the first, along the second direction
   int place = 0;
   for (int row = 0; row < shape.rows; ++row)
@@ -259,7 +258,7 @@ DerivativeBounds RationalDerivatives::bounds(const Piece& piece, const Derivativ
   this->divide(piece, units.length);
   DerivativeBounds result;
   this->bound_first(piece, result);
-  this->bound_second(result);
+  this->bound_second(*piece.shape, result);
   const Scales scales(piece, units);
   for (int i = 0; i < 2; ++i)
   {
@@ -275,8 +274,8 @@ DerivativeBounds RationalDerivatives::bounds(const Piece& piece, const Derivativ
     // weight are off as much of S_i − m.
     const int i = k / 2;
     const int j = (k + 1) / 2;
-    const double most = std::max(piece.shape->degree[j] * scales.rounding[i],
-      piece.shape->degree[i] * scales.rounding[j]);
+    const double most = std::max(
+      piece.shape->degree[j] * scales.rounding[i], piece.shape->degree[i] * scales.rounding[j]);
     result.second[k] = scales.factor[i] * scales.factor[j] * (result.second[k] + 16.0 * most);
   }
   return result;

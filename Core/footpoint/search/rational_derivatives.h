@@ -22,7 +22,7 @@ namespace footpoint
 /// |(e_j)_k| / ω_k and that of |((w²)_j)_k| / ω_k times the radius of S_i about m.
 ///
 /// The work is that of the squares of the forms, (p + 1)² (q + 1)² / 2 products of vectors. The
-/// memory is that of two forms of vectors, for the shape of the last piece.
+/// memory is that of two forms of vectors.
 class RationalDerivatives
 {
 public:
@@ -41,12 +41,12 @@ private:
   void multiply(const double* net);
   void divide(const Piece& piece, double length);
   void bound_first(const Piece& piece, DerivativeBounds& result);
-  void bound_second(DerivativeBounds& result) const;
+  void bound_second(const PieceShape& shape, DerivativeBounds& result) const;
 
-  const PieceShape* Shape = nullptr;
-  std::vector<double> Binomials; ///< C(p, a) C(q, c), as the control points of a net
-  std::vector<double> Divisors;  ///< 1 / (C(2p, k) C(2q, l)), rows without padding
-  std::vector<Vector4> Net;      ///< times Binomials
+  std::array<int, 2> Degree{ { -1, -1 } }; ///< of the last piece
+  std::vector<double> Binomials;           ///< C(p, a) C(q, c), as the control points of a net
+  std::vector<double> Divisors;            ///< 1 / (C(2p, k) C(2q, l)), rows without padding
+  std::vector<Vector4> Net;                ///< times Binomials
   /// Sums of pairs of control points, then d and e, for either direction; rows without padding.
   std::vector<Vector4> Products[2];
   std::vector<double> Inverses; ///< 1 / ω_k
