@@ -256,6 +256,7 @@ private:
     }
   }
 
+  /// Bounds over a piece of the block, as sharp as they are worth the work.
   WaySpeed way_of(const Piece& piece, const DerivativeUnits& units, const BlockFrame& frame,
     const DerivativeBounds& bounds)
   {
