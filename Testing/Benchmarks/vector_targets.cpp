@@ -17,9 +17,8 @@ struct VectorTarget
   std::int64_t bit;
 };
 
-/// Those that Core is compiled for, where it runs on x86-64; elsewhere there is one alone.
-constexpr std::array<VectorTarget, 3> kTargets{ { { "SSE4", HWY_SSE4 }, { "AVX2", HWY_AVX2 },
-  { "AVX-512", HWY_AVX3 } } };
+/// Those that the search is compiled for, where it runs on x86-64; elsewhere there is one alone.
+constexpr std::array<VectorTarget, 2> kTargets{ { { "SSE4", HWY_SSE4 }, { "AVX2", HWY_AVX2 } } };
 
 std::vector<VectorTarget> supported_targets()
 {

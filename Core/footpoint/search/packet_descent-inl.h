@@ -79,9 +79,6 @@ HWY_INLINE Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c)
   return Lanes(hn::MulAdd(a.value, b.value, c.value));
 }
 
-/// How many columns of a net evaluate() sums side by side.
-constexpr int kColumnsAtOnce = hn::MaxLanes(hn::CappedTag<double, 8>()) == 8 ? 2 : 1;
-
 /// evaluate() for every lane: sums over the rows of the net, then over its columns.
 template <int P, int Q, bool Rational>
 HWY_INLINE void evaluate_lanes(const Piece& piece, const Lanes* query, PlaceOf<Lanes>& place)
@@ -96,13 +93,10 @@ HWY_INLINE void evaluate_lanes(const Piece& piece, const Lanes* query, PlaceOf<L
   bernstein(q, place.t[1], column[0], column[1], column[2]);
   for (int k = 0; k < (Rational ? 4 : 3); ++k)
   {
-    Lanes sums[kColumnsAtOnce][kJet];
-    for (auto& sum : sums)
+    Lanes sum[kJet];
+    for (Lanes& entry : sum)
     {
-      for (Lanes& entry : sum)
-      {
-        entry = Lanes(0.0);
-      }
+      entry = Lanes(0.0);
     }
     for (int j = 0; j <= q; ++j)
     {
@@ -116,7 +110,6 @@ HWY_INLINE void evaluate_lanes(const Piece& piece, const Lanes* query, PlaceOf<L
         cu = multiply_add(row[1][i], control, cu);
         cuu = multiply_add(row[2][i], control, cuu);
       }
-      Lanes* sum = sums[j % kColumnsAtOnce];
       sum[kS] = multiply_add(column[0][j], c, sum[kS]);
       sum[kSu] = multiply_add(column[0][j], cu, sum[kSu]);
       sum[kSuu] = multiply_add(column[0][j], cuu, sum[kSuu]);
@@ -126,8 +119,7 @@ HWY_INLINE void evaluate_lanes(const Piece& piece, const Lanes* query, PlaceOf<L
     }
     for (int entry = 0; entry < kJet; ++entry)
     {
-      place.jet[entry][k] =
-        kColumnsAtOnce == 2 ? sums[0][entry] + sums[kColumnsAtOnce - 1][entry] : sums[0][entry];
+      place.jet[entry][k] = sum[entry];
     }
   }
   if (Rational)

@@ -202,36 +202,13 @@ HWY_INLINE void divide_by_weight(PlaceOf<T>& place)
   }
 }
 
-/// Weights for the columns of the net that one vector covers: two columns where it holds eight
-/// numbers, otherwise one or a part of it.
-template <class D>
-HWY_INLINE hn::Vec<D> of_columns(D tag, const double* weights)
-{
-#if HWY_MAX_BYTES >= 64
-  return hn::ConcatLowerLower(tag, hn::Set(tag, weights[1]), hn::Set(tag, weights[0]));
-#else
-  return hn::Set(tag, weights[0]);
-#endif
-}
-
-/// Stores an entry of the jet, or one part of its coordinates: the sum over a vector's columns.
-template <class D>
-HWY_INLINE void store_entry(D tag, hn::Vec<D> value, double* entry)
-{
-#if HWY_MAX_BYTES >= 64
-  const hn::Half<D> half;
-  hn::StoreU(hn::Add(hn::LowerHalf(half, value), hn::UpperHalf(half, value)), half, entry);
-#else
-  hn::StoreU(value, tag, entry);
-#endif
-}
-
-/// Evaluates at place.t: rows of the net are summed first, then its columns.
+/// Evaluates at place.t: rows of the net are summed first, then its columns. A vector holds one control
+/// point; to hold two of them in wider ones takes longer.
 template <int P, int Q, bool Rational>
 HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
 {
   constexpr int kMostRows = P >= 0 ? P + 1 : kMaximumDegree + 1;
-  constexpr int kMostColumns = (Q >= 0 ? Q + 1 : kMaximumDegree + 1) + 1;
+  constexpr int kMostColumns = Q >= 0 ? Q + 1 : kMaximumDegree + 1;
   const Piece& piece = *query.piece;
   const int p = P >= 0 ? P : piece.shape->degree[0];
   const int q = Q >= 0 ? Q : piece.shape->degree[1];
@@ -239,11 +216,8 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
   double column[3][kMostColumns];
   bernstein(p, place.t[0], row[0], row[1], row[2]);
   bernstein(q, place.t[1], column[0], column[1], column[2]);
-  column[0][q + 1] = column[1][q + 1] = column[2][q + 1] = 0.0; // for vectors of two columns
-  const hn::CappedTag<double, 8> tag;
-  constexpr int kLanes = hn::MaxLanes(tag);
-  constexpr int kColumns = kLanes == 8 ? 2 : 1; // that one vector covers
-  for (int part = 0; part < 4; part += kLanes)
+  const hn::CappedTag<double, 4> tag;
+  for (int part = 0; part < 4; part += static_cast<int>(hn::MaxLanes(tag)))
   {
     auto s = hn::Zero(tag);
     auto su = s;
@@ -251,7 +225,7 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
     auto suu = s;
     auto suv = s;
     auto svv = s;
-    for (int j = 0; j <= q; j += kColumns)
+    for (int j = 0; j <= q; ++j)
     {
       auto c = hn::Zero(tag);
       auto cu = c;
@@ -263,9 +237,9 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
         cu = hn::MulAdd(hn::Set(tag, row[1][i]), control, cu);
         cuu = hn::MulAdd(hn::Set(tag, row[2][i]), control, cuu);
       }
-      const auto b = of_columns(tag, column[0] + j);
-      const auto bv = of_columns(tag, column[1] + j);
-      const auto bvv = of_columns(tag, column[2] + j);
+      const auto b = hn::Set(tag, column[0][j]);
+      const auto bv = hn::Set(tag, column[1][j]);
+      const auto bvv = hn::Set(tag, column[2][j]);
       s = hn::MulAdd(b, c, s);
       su = hn::MulAdd(b, cu, su);
       suu = hn::MulAdd(b, cuu, suu);
@@ -273,12 +247,12 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
       suv = hn::MulAdd(bv, cu, suv);
       svv = hn::MulAdd(bvv, c, svv);
     }
-    store_entry(tag, s, place.jet[kS] + part);
-    store_entry(tag, su, place.jet[kSu] + part);
-    store_entry(tag, sv, place.jet[kSv] + part);
-    store_entry(tag, suu, place.jet[kSuu] + part);
-    store_entry(tag, suv, place.jet[kSuv] + part);
-    store_entry(tag, svv, place.jet[kSvv] + part);
+    hn::StoreU(s, tag, place.jet[kS] + part);
+    hn::StoreU(su, tag, place.jet[kSu] + part);
+    hn::StoreU(sv, tag, place.jet[kSv] + part);
+    hn::StoreU(suu, tag, place.jet[kSuu] + part);
+    hn::StoreU(suv, tag, place.jet[kSuv] + part);
+    hn::StoreU(svv, tag, place.jet[kSvv] + part);
   }
   if (Rational)
   {
