@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "footpoint/search/derivative_bounds.h"
+#include "footpoint/search/piece_derivatives.h"
 
 #include <cmath>
 
@@ -26,7 +26,7 @@ struct BlockFrame
   static constexpr double kLongest = 0x1p100;
 
   /// An orthonormal basis of the plane of the mean derivatives; curves: the second one alone. For
-  /// each coordinate two times its value, then two times its magnitude, as DerivativeBounds::box is
+  /// each coordinate two times its value, then two times its magnitude, as PieceDerivatives::box is
   /// laid out.
   Eigen::Array4d axes[2][3];
   double rows[2][2]; ///< the inverse of (mean_u, mean_v) in that basis: Δt_i = rows[i] · Δ
@@ -36,7 +36,7 @@ struct BlockFrame
   bool valid = false;
 
   /// \param mean of the derivatives, in the middles of the intervals
-  BlockFrame(const DerivativeBounds::Box& mean, bool is_curve)
+  BlockFrame(const PieceDerivatives::Box& mean, bool is_curve)
     : rows{ { 0.0, 0.0 }, { 0.0, 0.0 } }
     , inverse{ 0.0, 0.0 }
     , cosine(0.0)
@@ -98,7 +98,7 @@ struct BlockFrame
   }
 
   /// Bounds over a piece of the block.
-  WaySpeed speed_of(const DerivativeBounds& bounds) const
+  WaySpeed speed_of(const PieceDerivatives& bounds) const
   {
     // The first derivatives in the plane of the mean ones, by the block's parameters: the symmetric
     // part is what they leave of Δ along Δ.

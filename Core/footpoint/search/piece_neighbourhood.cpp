@@ -151,13 +151,13 @@ void prefetch_net(const Piece& piece)
 /// Finds out of which pieces around each one a block is made, and how far it holds.
 class BlockBuilder
 {
-  using Around = std::array<const DerivativeBounds*, kPlaces>;
+  using Around = std::array<const PieceDerivatives*, kPlaces>;
 
 public:
   /// \param reach the largest one of a piece
   BlockBuilder(const std::vector<Piece>& pieces, double reach)
     : Pieces(pieces)
-    , Bounds(new DerivativeBounds[pieces.size()]) // millions of numbers, all of them set later
+    , Bounds(new PieceDerivatives[pieces.size()]) // millions of numbers, all of them set later
   {
     const int exponent = std::ilogb(reach);
     this->Fits = std::abs(static_cast<double>(exponent)) <= kGreatestExponent;
@@ -180,7 +180,7 @@ public:
       }
       const Piece& piece = this->Pieces[k];
       this->Bounds[k] = piece.shape->rational ? this->Rational.bounds(piece, units)
-                                              : derivative_bounds(piece, units);
+                                              : piece_derivatives(piece, units);
     }
     for (std::int32_t k = begin; k < end; ++k)
     {
@@ -195,7 +195,7 @@ private:
   void settle(const DerivativeUnits& units, PieceNeighbourhood& result)
   {
     Around around;
-    DerivativeBounds::Box mean;
+    PieceDerivatives::Box mean;
     std::fill_n(mean.begin(), 3, Eigen::Array4d::Zero());
     double count = 0.0;
     for (int at = 0; at < kPlaces; ++at)
@@ -224,7 +224,7 @@ private:
 
   /// Makes a block of the pieces along which the way is long enough, of those at corners where both
   /// sides beside them are in it. \param mean derivatives
-  void choose(const DerivativeUnits& units, const DerivativeBounds::Box& mean, const Around& around,
+  void choose(const DerivativeUnits& units, const PieceDerivatives::Box& mean, const Around& around,
     PieceNeighbourhood& result)
   {
     const Piece& piece = this->Pieces[result.pieces[kMiddle]];
@@ -258,7 +258,7 @@ private:
 
   /// Bounds over a piece of the block, as sharp as they are worth the work.
   WaySpeed way_of(const Piece& piece, const DerivativeUnits& units, const BlockFrame& frame,
-    const DerivativeBounds& bounds)
+    const PieceDerivatives& bounds)
   {
     WaySpeed way = frame.speed_of(bounds);
     if (piece.shape->rational && way.speed < kUnsharp)
@@ -297,7 +297,7 @@ private:
   }
 
   const std::vector<Piece>& Pieces;
-  std::unique_ptr<DerivativeBounds[]> Bounds;
+  std::unique_ptr<PieceDerivatives[]> Bounds;
   RationalDerivatives Rational;
   double Length; ///< factor that makes the model's about 1
   bool Fits;

@@ -190,7 +190,7 @@ void RationalDerivatives::divide(const Piece& piece, double length)
 }
 
 /// Boxes and radii; makes (e, ω) of d.
-void RationalDerivatives::bound_first(const Piece& piece, DerivativeBounds& result)
+void RationalDerivatives::bound_first(const Piece& piece, PieceDerivatives& result)
 {
   const PieceShape& shape = *piece.shape;
   const double* weights = piece.forms + 4 * shape.form_size;
@@ -228,7 +228,7 @@ void RationalDerivatives::bound_first(const Piece& piece, DerivativeBounds& resu
   }
 }
 
-void RationalDerivatives::bound_second(const PieceShape& shape, DerivativeBounds& result) const
+void RationalDerivatives::bound_second(const PieceShape& shape, PieceDerivatives& result) const
 {
   Slopes slopes[2][2]; // of e of the first, along the second direction
   int place = 0;
@@ -251,12 +251,12 @@ void RationalDerivatives::bound_second(const PieceShape& shape, DerivativeBounds
   result.second[2] = slopes[1][1].bound(this->Radius[1]);
 }
 
-DerivativeBounds RationalDerivatives::bounds(const Piece& piece, const DerivativeUnits& units)
+PieceDerivatives RationalDerivatives::bounds(const Piece& piece, const DerivativeUnits& units)
 {
   this->prepare(*piece.shape);
   this->multiply(piece.net);
   this->divide(piece, units.length);
-  DerivativeBounds result;
+  PieceDerivatives result;
   this->bound_first(piece, result);
   this->bound_second(*piece.shape, result);
   const Scales scales(piece, units);

@@ -28,7 +28,7 @@ class RationalDerivatives
 public:
   /// A curve's first direction has derivatives of zero. Where the weights leave no bound, it is
   /// infinite or NaN. \pre the piece is rational
-  DerivativeBounds bounds(const Piece& piece, const DerivativeUnits& units);
+  PieceDerivatives bounds(const Piece& piece, const DerivativeUnits& units);
 
   /// BlockFrame::speed_of's bound from both derivatives together instead of a box of each: the
   /// least eigenvalue is a concave function of them, least at one of the pairs of coefficients.
@@ -40,8 +40,8 @@ private:
   void prepare(const PieceShape& shape);
   void multiply(const double* net);
   void divide(const Piece& piece, double length);
-  void bound_first(const Piece& piece, DerivativeBounds& result);
-  void bound_second(const PieceShape& shape, DerivativeBounds& result) const;
+  void bound_first(const Piece& piece, PieceDerivatives& result);
+  void bound_second(const PieceShape& shape, PieceDerivatives& result) const;
 
   std::array<int, 2> Degree{ { -1, -1 } }; ///< of the last piece
   std::vector<double> Binomials;           ///< C(p, a) C(q, c), as the control points of a net

@@ -11,7 +11,7 @@
 
 using footpoint::BlockFrame;
 using footpoint::Curve;
-using footpoint::DerivativeBounds;
+using footpoint::PieceDerivatives;
 using footpoint::DerivativeUnits;
 using footpoint::Surface;
 using footpoint::Vector3;
@@ -32,11 +32,11 @@ struct Use
   Real share() const { return this->shares / this->count; }
 };
 
-DerivativeBounds bounds_of(const Piece& piece, const DerivativeUnits& units)
+PieceDerivatives bounds_of(const Piece& piece, const DerivativeUnits& units)
 {
   footpoint::RationalDerivatives rational;
   return piece.shape->rational ? rational.bounds(piece, units)
-                               : footpoint::derivative_bounds(piece, units);
+                               : footpoint::piece_derivatives(piece, units);
 }
 
 /// Derivatives by the units' parameters.
@@ -55,7 +55,7 @@ std::array<Vector, 2> derivatives(const Piece& piece, const DerivativeUnits& uni
 void check_piece(const Piece& piece, Use& use)
 {
   const DerivativeUnits units{ 0.25, { { 3.0, 0.5 } } };
-  const DerivativeBounds bounds = bounds_of(piece, units);
+  const PieceDerivatives bounds = bounds_of(piece, units);
   std::array<Real, 2> scale;
   for (int i = 0; i < 2; ++i)
   {
@@ -116,7 +116,7 @@ void check_piece(const Piece& piece, Use& use)
 
 } // namespace
 
-TEST(DerivativeBounds, HoldTheDerivatives)
+TEST(PieceDerivatives, HoldTheDerivatives)
 {
   Use polynomial;
   Use rational;
@@ -167,7 +167,7 @@ TEST(RationalDerivatives, SpeedIsTheLeastOverThePiece)
       {
         continue;
       }
-      const DerivativeBounds bounds = bounds_of(piece, units);
+      const PieceDerivatives bounds = bounds_of(piece, units);
       const BlockFrame frame(bounds.box, piece.shape->degree[0] == 0);
       if (!frame.valid)
       {
@@ -217,8 +217,8 @@ TEST(BlockFrame, SpeedsAreTheLeastOverAllDerivativesAndWays)
   {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     Random random(seed);
-    DerivativeBounds::Box mean;
-    DerivativeBounds bounds{};
+    PieceDerivatives::Box mean;
+    PieceDerivatives bounds{};
     Vector3 first[2];
     for (Vector3& each : first)
     {
@@ -279,7 +279,7 @@ TEST(BlockFrame, OfDerivativesThatAreParallelOrVanishThereIsNone)
 {
   const auto frame = [](const Vector3& u, const Vector3& v, bool curve)
   {
-    DerivativeBounds::Box mean;
+    PieceDerivatives::Box mean;
     for (int k = 0; k < 3; ++k)
     {
       mean[k] << u(k), v(k), 0.0, 0.0;

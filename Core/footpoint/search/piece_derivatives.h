@@ -9,7 +9,7 @@ namespace footpoint
 {
 
 /// Bounds of the derivatives of S over a piece.
-struct DerivativeBounds
+struct PieceDerivatives
 {
   /// For each coordinate the middles of the intervals of S_u and of S_v, then half their widths.
   using Box = std::array<Eigen::Array4d, 3>;
@@ -28,6 +28,6 @@ struct DerivativeUnits
 
 /// From the differences of control points. A curve's first direction has derivatives of zero.
 /// \pre the piece is not rational; RationalDerivatives bounds those that are
-DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& units);
+PieceDerivatives piece_derivatives(const Piece& piece, const DerivativeUnits& units);
 
 } // namespace footpoint

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "footpoint/search/derivative_bounds.h"
+#include "footpoint/search/piece_derivatives.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,11 +103,11 @@ private:
 
 } // namespace
 
-DerivativeBounds derivative_bounds(const Piece& piece, const DerivativeUnits& units)
+PieceDerivatives piece_derivatives(const Piece& piece, const DerivativeUnits& units)
 {
   const Differences differences(piece);
   const double reach = units.length * piece.reach;
-  DerivativeBounds bounds;
+  PieceDerivatives bounds;
   double factor[2]; // of differences, for derivatives by the units' parameters
   for (int i = 0; i < 2; ++i)
   {
