@@ -121,6 +121,24 @@ TEST(CertifiedSearch, NothingWithinTheMaximumDistance)
 }
 
 /// Boxes of single precision are infinite beyond 3.4e38, and squares below 1e-308 are nothing.
+/// Boxes of few pieces leave room in the nodes of the tree, and beyond 3.4e38 have no middles.
+TEST(CertifiedSearch, OnePieceOfAnySize)
+{
+  for (const double scale : { 1e-150, 1e-39, 1.0, 1e38, 1e39, 1e100, 1e150 })
+  {
+    SCOPED_TRACE(scale);
+    Points ends(3, 2);
+    ends.col(0) = Vector3::Zero();
+    ends.col(1) = scale * Vector3(1.0, 2.0, 3.0);
+    const footpoint::Curve line(footpoint::KnotVector(1, { 0, 0, 1, 1 }, "KnotsU"), ends);
+    const PointInverter inverter(model_of(line));
+    const Foot foot = inverter.find(scale * Vector3(0.6, 1.4, 1.2));
+    EXPECT_EQ(foot.status, Status::Certified);
+    EXPECT_NEAR(foot.parameter(0), 0.5, 1e-12);
+    EXPECT_NEAR(foot.distance / scale, std::sqrt(0.26), 1e-12);
+  }
+}
+
 TEST(CertifiedSearch, HugeAndTinySizes)
 {
   for (const Surface& surface : { shapes::bumpy(12, 3, 0.3), shapes::cylinder() })

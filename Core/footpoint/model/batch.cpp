@@ -174,9 +174,10 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
         {
           PointInverter::Workspace workspace;
           const std::int64_t stride = std::max<std::int64_t>(pace.piece() / kLooks, 1);
+          const std::int64_t most = std::min(kGroup, stride); // few where points take long
           std::int64_t look = from;
           std::vector<Start> group_starts;
-          for (std::int64_t i = from; i < to; i += kGroup)
+          for (std::int64_t i = from; i < to; i += most)
           {
             // The first points are always done, so that there is progress.
             if (i > 0 && i >= look && pace.late())
@@ -185,7 +186,7 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
             }
             look = i >= look ? i + stride : look;
             // Points are near each other in space, not in memory.
-            const std::int64_t size = std::min(kGroup, to - i);
+            const std::int64_t size = std::min(most, to - i);
             Eigen::Matrix<double, 3, kGroup> group;
             group_starts.clear();
             for (std::int64_t j = 0; j < size; ++j)

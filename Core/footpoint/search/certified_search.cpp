@@ -3,7 +3,8 @@
 // Compiled once for each set of vector instructions; the best that the processor has is taken at run
 // time. SSSE3 would add nothing to SSE4 here. AVX-512 is a tenth slower than AVX2: most of a query is
 // arithmetic on single numbers, which has a port less for as long as vectors of 512 bits are under way.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+// (The bits of all sets beyond AVX2 are below its own.)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | (HWY_AVX2 - 1))
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "footpoint/search/certified_search.cpp"
 #include <hwy/foreach_target.h>
@@ -20,6 +21,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <type_traits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -44,6 +47,7 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
 {
   using Line = SearchWorkspace::Line;
   static_assert(alignof(Finder) <= alignof(Line), "the memory must fit");
+  static_assert(std::is_trivially_destructible<Finder>::value, "the memory is just left");
   constexpr std::size_t kLines = (sizeof(Finder) + sizeof(Line) - 1) / sizeof(Line);
   workspace.searches.resize(CertifiedSearch::kTogether * kLines);
   struct Waiting

@@ -51,6 +51,8 @@ constexpr int kMostLevels = 12;
 constexpr int kMostWaysDown = 3;
 constexpr double kMuchNearer = 0.5;
 
+/// Memory for so many candidates or survivors is kept from query to query.
+constexpr std::size_t kMostKept = 4096;
 /// More candidates are sorted at once.
 constexpr std::size_t kMostUnsorted = 32;
 /// More than the margin of any piece, in squares of the coordinates: roundings of the highest degree.
@@ -123,7 +125,19 @@ public:
   /// Goes on with the result of the descent; whether it waits for another one.
   bool go_on();
   /// The proof, when there is no more to wait for.
-  void finish() { this->Answer.certified = this->prove_all(); }
+  void finish()
+  {
+    this->Answer.certified = this->prove_all();
+    // Many queries are under way at once: what a few of them needed is given back.
+    if (this->Finds.candidates.capacity() > kMostKept)
+    {
+      this->Finds.candidates = {};
+    }
+    if (this->Finds.survivors.capacity() > kMostKept)
+    {
+      this->Finds.survivors = {};
+    }
+  }
 
 private:
   bool found() const { return this->Answer.count > 0; }
@@ -227,7 +241,7 @@ private:
   /// Where the tangent plane of the piece's middle is nearest.
   Pair guess(const PieceQuery& query) const;
   /// Whether the smallest coefficient of a piece says that it holds nothing within reach.
-  bool excludes(double least) const { return this->Bound < kInfinity && least >= 0.0; }
+  bool excludes(double least) const { return this->reach() < kInfinity && least >= 0.0; }
   /// The next candidate, nearest first; whether there is one to descend on.
   bool next_candidate();
   void descend_from_nearest();

@@ -135,7 +135,7 @@ HWY_INLINE void unpack(const PlaceOf<Lanes>& place, unsigned lanes, Descent* con
 {
   const Lanes::Tag tag;
   constexpr int kColumns = Rational ? 4 : 3;
-  HWY_ALIGN double numbers[11 + 3 * kColumns + 3][Lanes::kCount];
+  HWY_ALIGN double numbers[3 * 2 + 2 * 3 + 1 + 3 * kColumns][Lanes::kCount];
   int count = 0;
   const auto put = [&](const Lanes& lane) { hn::Store(lane.value, tag, numbers[count++]); };
   for (int i = 0; i < 2; ++i)

@@ -84,9 +84,11 @@ HWY_INLINE int Finder::nearest_child(const Visit& visit)
   {
     least = hn::Min(least, hn::LoadU(tag, visit.score + k));
   }
-  // The first child, which there always is, where numbers beyond all bounds leave no bit set.
+  const double value = hn::GetLane(hn::MinOfLanes(tag, least));
+  // The first child, which there always is, where boxes beyond the range of single precision have no
+  // score: children that there are not have an infinite one.
   const std::uint64_t bits =
-    at_most(visit.score, BoxTree::kWidth, hn::GetLane(hn::MinOfLanes(tag, least)));
+    value < kInfinity ? at_most(visit.score, BoxTree::kWidth, value) : 0;
   return bits != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)) : 0;
 }
 
@@ -373,8 +375,8 @@ bool Finder::next_candidate()
   {
     std::sort(candidates.begin(), candidates.end(), nearer);
   }
-  // Beyond this nothing is of interest, whatever the margin of the piece.
-  const double reach = this->reach();
+  // Beyond this nothing is of interest, whatever the margin and the error of the piece.
+  const double reach = this->reach() + this->Structure.greatest_error;
   const double far = bound_of_length(this->P) + this->Query.size;
   const double end = reach * reach + kMostMargin * far * far;
   while (this->Next < candidates.size())

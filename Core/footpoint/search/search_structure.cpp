@@ -100,6 +100,7 @@ SearchStructure::SearchStructure(DistanceForms pieces)
       v = Middle(shape->degree[1]);
     }
     this->planes.push_back(tangent_plane(piece, u, v));
+    this->greatest_error = std::max(this->greatest_error, piece.error);
   }
 }
 

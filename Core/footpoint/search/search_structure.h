@@ -27,6 +27,7 @@ struct SearchStructure
 
   DistanceForms forms;
   BoxTree tree;
+  double greatest_error = 0.0; ///< of the pieces
   std::vector<TangentPlane> planes;
   std::vector<PieceNeighbourhood> neighbourhoods;
 };
