@@ -114,6 +114,18 @@ void check_piece(const Piece& piece, Use& use)
   }
 }
 
+/// The pieces of a random sheet and a random curve, cut where they are bent or not.
+DistanceForms random_forms(int seed, std::string& description)
+{
+  Random random(seed);
+  const Surface surface = shapes::random_sheet(random, description).geometry();
+  const Curve curve = shapes::random_curve(random);
+  DistanceForms forms(random.integer(0, 1) == 0 ? 1 : 50);
+  forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
+  forms.add(1, curve, Vector3::Zero(), kNoneSpecial);
+  return forms;
+}
+
 } // namespace
 
 TEST(PieceDerivatives, HoldTheDerivatives)
@@ -122,14 +134,9 @@ TEST(PieceDerivatives, HoldTheDerivatives)
   Use rational;
   for (int seed = 0; seed < 200; ++seed)
   {
-    Random random(seed);
     std::string description;
-    const Surface surface = shapes::random_sheet(random, description).geometry();
-    const Curve curve = shapes::random_curve(random);
+    const DistanceForms forms = random_forms(seed, description);
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
-    DistanceForms forms(random.integer(0, 1) == 0 ? 1 : 50);
-    forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
-    forms.add(1, curve, Vector3::Zero(), kNoneSpecial);
     for (const Piece& piece : forms.pieces())
     {
       check_piece(piece, piece.shape->rational ? rational : polynomial);
@@ -153,14 +160,9 @@ TEST(RationalDerivatives, SpeedIsTheLeastOverThePiece)
   footpoint::RationalDerivatives rational;
   for (int seed = 0; seed < 400; ++seed)
   {
-    Random random(seed);
     std::string description;
-    const Surface surface = shapes::random_sheet(random, description).geometry();
-    const Curve curve = shapes::random_curve(random);
+    const DistanceForms forms = random_forms(seed, description);
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
-    DistanceForms forms(random.integer(0, 1) == 0 ? 1 : 50);
-    forms.add(0, surface, Vector3::Zero(), kNoneSpecial);
-    forms.add(1, curve, Vector3::Zero(), kNoneSpecial);
     for (const Piece& piece : forms.pieces())
     {
       if (!piece.shape->rational)

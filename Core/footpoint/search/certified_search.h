@@ -76,7 +76,8 @@ struct CertifiedQuery
   Vector3 point = Vector3::Zero(); ///< in the model's centred coordinates
   /// Nothing farther is sought.
   double limit = 0.0;
-  double size = 0.0;      ///< of the model; feet that tie with the nearest (tie_tolerance) are kept as well
+  /// Of the model; feet that tie with the nearest (tie_tolerance) are kept as well.
+  double size = 0.0;
   double tolerance = 0.0; ///< what is proved is that no point is nearer than distance − tolerance
 };
 
@@ -93,8 +94,9 @@ struct CertifiedAnswer
 ///
 /// Branch and bound over Bézier pieces. First the search: boxes nearest first; where the
 /// coefficients of a piece's distance form do not exclude it, Newton's method finds the minimum of
-/// the piece. A foot near the query settles the pieces around it at once (piece_neighbourhood.h). Then the
-/// proof, for the other pieces that were not excluded, under the smallest distance found: a cell holds nothing nearer where
+/// the piece. A foot near the query settles the pieces around it at once (piece_neighbourhood.h).
+/// Then the proof, for the other pieces that were not excluded, under the smallest distance found: a
+/// cell holds nothing nearer where
 ///   - all coefficients of F are positive; or
 ///   - F is monotone along a direction and the side in question holds nothing nearer; or
 ///   - F is convex and its tangent plane at one point is positive over the cell;

@@ -187,12 +187,13 @@ HWY_INLINE PlainStep<T> plain_step(const PlaceOf<T>& place)
   const std::array<T, 2>& g = place.gradient;
   if (P == 0)
   {
-    return { { { T(0.0), (T(0.0) - g[1]) / h[2] } }, h[2], h[2], T(kWellDefinite) * place.metric[1] };
+    return { { { T(0.0), (T(0.0) - g[1]) / h[2] } }, h[2], h[2],
+      T(kWellDefinite) * place.metric[1] };
   }
   const T determinant = h[0] * h[2] - h[1] * h[1];
   const T inverse = T(1.0) / determinant;
-  return { { { (h[1] * g[1] - h[2] * g[0]) * inverse, (h[1] * g[0] - h[0] * g[1]) * inverse } }, h[0],
-    determinant, T(kWellDefinite) * h[0] * h[2] };
+  return { { { (h[1] * g[1] - h[2] * g[0]) * inverse, (h[1] * g[0] - h[0] * g[1]) * inverse } },
+    h[0], determinant, T(kWellDefinite) * h[0] * h[2] };
 }
 
 /// Plain Newton steps end after so many evaluations.
@@ -250,7 +251,8 @@ HWY_INLINE int iterate(
   }
 }
 
-/// The rest of a descent, where plain steps do not get any further. \param count of evaluations so far
+/// The rest of a descent, where plain steps do not get any further.
+/// \param count of evaluations so far
 template <int P, int Q, bool Rational>
 HWY_NOINLINE int go_on(const PieceQuery& query, const Range& range, int count, Place& result)
 {

@@ -14,7 +14,6 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
