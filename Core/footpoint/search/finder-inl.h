@@ -13,6 +13,7 @@
 #include "footpoint/search/better_foot.h"
 #include "footpoint/search/cell_form-inl.h"
 #include "footpoint/search/certified_search.h"
+#include "footpoint/search/height_form-inl.h"
 #include "footpoint/search/piece_descent-inl.h"
 
 #include <algorithm>
@@ -273,6 +274,8 @@ private:
     Improved
   };
   Verdict prove(const PieceFoot& survivor);
+  /// Whether the height form of a piece about a minimum on it says that nothing is nearer.
+  bool proves_by_height(const PieceQuery& query, const PieceFoot& survivor, double tolerance);
   /// The cells that are left, with their forms relative to the best foot.
   Verdict prove_hard_cells(const PieceQuery& query);
   double view_of(const PieceQuery& query, CellView& view) const;

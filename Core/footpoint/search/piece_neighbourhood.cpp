@@ -242,6 +242,10 @@ private:
       {
         const WaySpeed way =
           this->way_of(this->Pieces[result.pieces[at]], units, frame, *around[at]);
+        if (at == kMiddle)
+        {
+          this->set_metric(units, mean, way.speed, result);
+        }
         if (way.speed >= kLeastSpeed && way.bend <= BlockFrame::kLongest)
         {
           least = std::min(least, way.speed);
@@ -266,6 +270,35 @@ private:
       way.speed = std::max(way.speed, this->Rational.speed(piece, units, frame));
     }
     return way;
+  }
+
+  /// Δ is as long as what the mean derivatives make of it. \param speed of the piece itself
+  void set_metric(const DerivativeUnits& units, const PieceDerivatives::Box& mean, double speed,
+    PieceNeighbourhood& result) const
+  {
+    const Piece& piece = this->Pieces[result.pieces[kMiddle]];
+    if (!(speed > 0.0))
+    {
+      return;
+    }
+    double factor[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      factor[i] = piece.shape->degree[i] > 0
+        ? kDown * speed * (piece.width[i] / units.width[i]) / units.length
+        : 0.0;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = k / 2;
+      const int j = (k + 1) / 2;
+      double product = 0.0;
+      for (const Eigen::Array4d& coordinate : mean)
+      {
+        product += coordinate(i) * coordinate(j);
+      }
+      result.metric[k] = product * factor[i] * factor[j];
+    }
   }
 
   /// \param speed, bend of the worst pieces of the block

@@ -33,6 +33,9 @@ struct PieceNeighbourhood
   /// Distance up to which the foot is the nearest of the block: half of what the derivation allows,
   /// so that the other half bounds what a gradient left over does. Negative: nothing is known.
   double limit;
+  /// |S − f|² ≥ metric[0] Δu² + 2 metric[1] Δu Δv + metric[2] Δv² for two points S, f of the piece itself
+  /// that are Δ apart in its parameters. Zeros: nothing is known.
+  std::array<double, 3> metric;
   /// Length of the parameters' units, inverse: |Δ·gradient| ≤ |Δ| Σ_i inverse_speed[i]
   /// |gradient_i|.
   std::array<double, 2> inverse_speed;

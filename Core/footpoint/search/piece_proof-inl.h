@@ -312,6 +312,10 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   {
     return Verdict::Open;
   }
+  if (this->proves_by_height(query, survivor, tolerance))
+  {
+    return Verdict::Proved;
+  }
   this->Slack = this->found() ? tolerance * (2.0 * distance - tolerance) : 0.0;
   this->Margin = level.margin * piece.greatest_weight;
   this->Shift = shape.rational ? this->Slack * piece.greatest_weight : 0.0;
@@ -404,6 +408,36 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
     cells.push_back(high);
   }
   return hard.empty() ? Verdict::Proved : this->prove_hard_cells(query);
+}
+
+bool Finder::proves_by_height(
+  const PieceQuery& query, const PieceFoot& survivor, double tolerance)
+{
+  const Piece& piece = *query.piece;
+  const double distance = this->found() ? this->best().distance : this->Query.limit;
+  // The form is that of another query, from which the foot is exactly as far as computed; it is off by a few
+  // roundings of positions and of the query, and so are squares that differ from the best one.
+  const double moved = 32.0 * kRounding * (this->Query.size + bound_of_length(query.p));
+  const double left = tolerance - 4.0 * moved;
+  HeightView view;
+  view.allowed = this->excess_of(survivor) + left * (2.0 * distance - left);
+  if (!(view.allowed > 0.0))
+  {
+    return false;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    view.f[k] = survivor.position[k] - piece.origin[k];
+    view.r[k] = survivor.offset[k];
+  }
+  view.t = survivor.t;
+  view.metric = this->Structure.neighbourhoods[query.index].metric;
+  return with_shape(*piece.shape,
+    [&](auto p, auto q, auto)
+    {
+      using Form = HeightForm<p(), q()>;
+      return Form::proves(piece, view, this->coefficients(0, Form::size(*piece.shape)));
+    });
 }
 
 double Finder::tolerance_of(const Piece& piece) const
