@@ -18,13 +18,11 @@ constexpr std::size_t kLarge = 4 * kHugePage;
 
 } // namespace
 
-AlignedArray::AlignedArray(std::size_t count)
-  : Count(count)
+AlignedMemory::AlignedMemory(std::size_t bytes)
 {
-  const std::size_t bytes = count * sizeof(double);
   const std::align_val_t alignment{ bytes < kLarge ? kCacheLine : kHugePage };
-  this->Data = std::unique_ptr<double, Delete>(
-    static_cast<double*>(::operator new(bytes, alignment)), Delete{ alignment });
+  this->Data = std::unique_ptr<void, Delete>(
+    ::operator new(bytes, alignment), Delete{ alignment });
 #ifdef MADV_HUGEPAGE
   if (bytes >= kLarge)
   {

@@ -42,15 +42,16 @@ private:
     std::size_t end;
   };
 
-  /// Two halves along the axis in which the middles of the boxes spread most.
-  std::array<Range, 2> split(Range range);
+  /// Two parts along the axis in which the middles of the boxes spread most, as even as they come in
+  /// multiples of a number of boxes.
+  std::array<Range, 2> split(Range range, std::size_t multiple);
 
   const std::vector<Corners>& Boxes;
   std::vector<BoxTree::Node>& Nodes;
   std::vector<std::int32_t> Order;
 };
 
-std::array<Builder::Range, 2> Builder::split(Range range)
+std::array<Builder::Range, 2> Builder::split(Range range, std::size_t multiple)
 {
   Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 upper = -lower;
@@ -63,7 +64,8 @@ std::array<Builder::Range, 2> Builder::split(Range range)
   int axis = 0;
   (upper - lower).maxCoeff(&axis);
   const auto first = this->Order.begin();
-  const std::size_t half = range.begin + (range.end - range.begin) / 2;
+  const std::size_t multiples = (range.end - range.begin + multiple - 1) / multiple;
+  const std::size_t half = range.begin + multiples / 2 * multiple;
   std::nth_element(first + range.begin, first + half, first + range.end,
     [&](std::int32_t a, std::int32_t b)
     {
@@ -76,18 +78,24 @@ std::array<Builder::Range, 2> Builder::split(Range range)
 
 std::int32_t Builder::build(std::size_t begin, std::size_t end)
 {
+  // Children are full trees of as few levels as there can be, but for the last one: few nodes, full ones.
+  std::size_t full = 1;
+  while (full * BoxTree::kWidth < end - begin)
+  {
+    full *= BoxTree::kWidth;
+  }
   std::vector<Range> ranges{ { begin, end } };
   for (int level = 0; level < 3; ++level)
   {
     std::vector<Range> next;
     for (const Range& range : ranges)
     {
-      if (range.end - range.begin < 2)
+      if (range.end - range.begin <= full)
       {
         next.push_back(range);
         continue;
       }
-      for (const Range& half : this->split(range))
+      for (const Range& half : this->split(range, full))
       {
         next.push_back(half);
       }
@@ -129,7 +137,7 @@ BoxTree::BoxTree(const std::vector<Corners>& boxes)
 {
   if (!boxes.empty())
   {
-    this->Nodes.reserve(boxes.size() / 3 + 1);
+    this->Nodes.reserve(boxes.size() / 6 + 8);
     Builder(boxes, this->Nodes).build(0, boxes.size());
   }
 }

@@ -114,7 +114,7 @@ private:
 
   std::size_t FewPieces;
   std::vector<std::unique_ptr<PieceShape>> Shapes;
-  std::vector<AlignedArray> Numbers;
+  std::vector<AlignedArray<double>> Numbers;
   std::vector<Piece> Pieces;
   std::vector<std::array<Vector3, 2>> Boxes;
 };

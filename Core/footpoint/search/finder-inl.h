@@ -59,6 +59,12 @@ constexpr std::size_t kMostUnsorted = 32;
 /// More than the margin of any piece, in squares of the coordinates: roundings of the highest degree.
 constexpr double kMostMargin = 1e-10;
 
+/// A sum of four products of single precision numbers is off by less than this part of what the products
+/// are at the most: two roundings each and four of the sum.
+constexpr double kOutlineRounding = 0x1p-20;
+/// Queries beyond this have no squares in single precision.
+constexpr double kFarthest = 1e18;
+
 /// So many pieces a walk passes at the most.
 constexpr int kMostVisited = 4;
 
@@ -243,6 +249,8 @@ private:
   Pair guess(const PieceQuery& query) const;
   /// Whether the smallest coefficient of a piece says that it holds nothing within reach.
   bool excludes(double least) const { return this->reach() < kInfinity && least >= 0.0; }
+  /// The same by the height form about a point of it, which tells where the coefficients do not.
+  bool excludes_by_height(const PieceQuery& query, const Pair& t);
   /// The next candidate, nearest first; whether there is one to descend on.
   bool next_candidate();
   void descend_from_nearest();
@@ -276,6 +284,16 @@ private:
   Verdict prove(const PieceFoot& survivor);
   /// Whether the height form of a piece about a minimum on it says that nothing is nearer.
   bool proves_by_height(const PieceQuery& query, const PieceFoot& survivor, double tolerance);
+  /// By how much a height form's query may be another one than ours, from which its point is exactly as far
+  /// away as computed: a few roundings of positions and of the query.
+  double moved(const PieceQuery& query) const
+  {
+    return 32.0 * kRounding * (this->Query.size + bound_of_length(query.p));
+  }
+  /// Whether no point of a piece is nearer than a point of it by more than `allowed`, in squares.
+  /// \param point, offset from the piece's origin and from the query
+  bool is_above(const PieceQuery& query, const double* point, const double* offset, const Pair& t,
+    double allowed);
   /// The cells that are left, with their forms relative to the best foot.
   Verdict prove_hard_cells(const PieceQuery& query);
   double view_of(const PieceQuery& query, CellView& view) const;

@@ -410,34 +410,41 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   return hard.empty() ? Verdict::Proved : this->prove_hard_cells(query);
 }
 
-bool Finder::proves_by_height(
-  const PieceQuery& query, const PieceFoot& survivor, double tolerance)
+bool Finder::is_above(const PieceQuery& query, const double* point, const double* offset,
+  const Pair& t, double allowed)
 {
-  const Piece& piece = *query.piece;
-  const double distance = this->found() ? this->best().distance : this->Query.limit;
-  // The form is that of another query, from which the foot is exactly as far as computed; it is off by a few
-  // roundings of positions and of the query, and so are squares that differ from the best one.
-  const double moved = 32.0 * kRounding * (this->Query.size + bound_of_length(query.p));
-  const double left = tolerance - 4.0 * moved;
-  HeightView view;
-  view.allowed = this->excess_of(survivor) + left * (2.0 * distance - left);
-  if (!(view.allowed > 0.0))
+  if (!(allowed > 0.0))
   {
     return false;
   }
-  for (int k = 0; k < 3; ++k)
-  {
-    view.f[k] = survivor.position[k] - piece.origin[k];
-    view.r[k] = survivor.offset[k];
-  }
-  view.t = survivor.t;
+  HeightView view;
+  std::copy(point, point + 3, view.f);
+  std::copy(offset, offset + 3, view.r);
+  view.t = t;
+  view.allowed = allowed;
   view.metric = this->Structure.neighbourhoods[query.index].metric;
-  return with_shape(*piece.shape,
+  const PieceShape& shape = *query.piece->shape;
+  return with_shape(shape,
     [&](auto p, auto q, auto)
     {
       using Form = HeightForm<p(), q()>;
-      return Form::proves(piece, view, this->coefficients(0, Form::size(*piece.shape)));
+      return Form::proves(*query.piece, view, this->coefficients(0, Form::size(shape)));
     });
+}
+
+bool Finder::proves_by_height(
+  const PieceQuery& query, const PieceFoot& survivor, double tolerance)
+{
+  double point[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    point[k] = survivor.position[k] - query.piece->origin[k];
+  }
+  const double distance = this->found() ? this->best().distance : this->Query.limit;
+  // Both queries' distances, and their squares, may differ by as much.
+  const double left = tolerance - 4.0 * this->moved(query);
+  return this->is_above(query, point, survivor.offset.data(), survivor.t,
+    this->excess_of(survivor) + left * (2.0 * distance - left));
 }
 
 double Finder::tolerance_of(const Piece& piece) const

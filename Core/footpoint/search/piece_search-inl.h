@@ -338,29 +338,68 @@ void Finder::bound_by(const PieceQuery& query, const Pair& t, double squared)
 
 void Finder::collect(std::int32_t index, double squared)
 {
-  const PieceQuery query = this->at(index);
-  const Piece& piece = *query.piece;
-  const PieceShape& shape = *piece.shape;
-  const Level level = this->reach_of(query);
-  double* f = this->coefficients(0, shape.form_size);
-  const double least = this->form(query, level.constant - level.margin, f);
-  if (this->excludes(least))
+  const PieceOutline& outline = this->Structure.outlines[index];
+  double r[3];
+  double size = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    r[k] = outline.middle[k] - this->P[k];
+    size += std::abs(outline.middle[k]) + std::abs(this->P[k]);
+  }
+  const double away = dot(r, r);
+  const double length = bound_of_length(r);
+  double bound = squared / kOutward;
+  if (outline.count == 0 || !(length <= kFarthest))
+  {
+    this->Finds.candidates.push_back({ index, bound });
+    return;
+  }
+  const hn::CappedTag<float, PieceOutline::kWidth> tag;
+  const auto x = hn::Set(tag, static_cast<float>(2.0 * r[0]));
+  const auto y = hn::Set(tag, static_cast<float>(2.0 * r[1]));
+  const auto z = hn::Set(tag, static_cast<float>(2.0 * r[2]));
+  const float* number = outline.numbers;
+  const int count = outline.count;
+  auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+  for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(tag)), number += hn::Lanes(tag))
+  {
+    auto f = hn::MulAdd(x, hn::LoadU(tag, number), hn::LoadU(tag, number + 3 * count));
+    f = hn::MulAdd(y, hn::LoadU(tag, number + count), f);
+    f = hn::MulAdd(z, hn::LoadU(tag, number + 2 * count), f);
+    least = hn::Min(least, f);
+  }
+  // Roundings of single precision, then of r.
+  const double error = kOutlineRounding * (2.0 * length * outline.longest + outline.greatest) +
+    16.0 * kRounding * size * length;
+  bound = std::max(
+    bound, away - error + static_cast<double>(hn::GetLane(hn::MinOfLanes(tag, least))));
+  const double reach = this->reach() + this->Structure.greatest_error;
+  if (bound >= reach * reach * kOutward)
   {
     return;
   }
-  // F = w²(|S − P|² − T) ≥ least. Of a large flat piece the box may say more.
-  const double bound = std::max(squared / kOutward,
-    level.level + least / (least < 0.0 ? piece.least_weight : piece.greatest_weight));
   this->Finds.candidates.push_back({ index, bound });
   // The corners are points of the piece.
-  const double* weights = piece.forms + 4 * shape.form_size;
-  for (int corner = 0; corner < 4; ++corner)
+  const float* corner = outline.numbers + 4 * count;
+  const hn::CappedTag<float, PieceOutline::kCorners> corners;
+  HWY_ALIGN float value[PieceOutline::kCorners];
+  for (int k = 0; k < PieceOutline::kCorners; k += static_cast<int>(hn::Lanes(corners)))
   {
-    const int row = corner / 2 * (shape.rows - 1);
-    const int column = corner % 2 * (shape.columns - 1);
-    const int k = row * shape.stride + column;
-    this->bound_by(query, { { corner / 2 * 1.0, corner % 2 * 1.0 } },
-      (shape.rational ? f[k] / weights[k] : f[k]) + level.level + 2.0 * level.margin);
+    auto f = hn::LoadU(corners, corner + 3 * PieceOutline::kCorners + k);
+    for (int i = 0; i < 3; ++i)
+    {
+      f = hn::MulAdd(hn::Set(corners, static_cast<float>(2.0 * r[i])),
+        hn::LoadU(corners, corner + i * PieceOutline::kCorners + k), f);
+    }
+    hn::StoreU(f, corners, value + k);
+  }
+  for (int k = 0; k < PieceOutline::kCorners; ++k)
+  {
+    const double at = away + error + static_cast<double>(value[k]);
+    if (at < this->SquaredBound)
+    {
+      this->bound_by(this->at(index), { { k / 2 * 1.0, k % 2 * 1.0 } }, at);
+    }
   }
 }
 
@@ -400,15 +439,30 @@ bool Finder::next_candidate()
     const PieceShape& shape = *query.piece->shape;
     double* f = this->coefficients(0, shape.form_size);
     const double least = this->form(query, level.constant - level.margin, f);
-    if (!this->excludes(least))
+    if (this->excludes(least))
     {
-      this->wait_for(query, start_of(shape, f, least));
+      continue;
+    }
+    const Pair start = start_of(shape, f, least);
+    if (!this->found() || !this->excludes_by_height(query, start))
+    {
+      this->wait_for(query, start);
       return true;
     }
   }
   this->Next = candidates.size();
   this->descend_from_nearest();
   return false;
+}
+
+bool Finder::excludes_by_height(const PieceQuery& query, const Pair& t)
+{
+  Place place;
+  place.t = t;
+  evaluate_at(query, place);
+  const double reach = this->reach() + query.piece->error + 2.0 * this->moved(query);
+  return this->is_above(
+    query, place.jet[kS], place.r, place.t, place.squared - reach * reach * kOutward);
 }
 
 void Finder::descend_from_nearest()
