@@ -127,6 +127,7 @@ std::int32_t Builder::build(std::size_t begin, std::size_t end)
       node.upper[i][k] = -rounded_down(-upper(i));
     }
     node.child[k] = child;
+    node.present |= child != 0 ? 1U << k : 0U;
   }
   return index;
 }

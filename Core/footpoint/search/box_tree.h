@@ -19,9 +19,10 @@ public:
 
   struct alignas(64) Node
   {
-    float lower[3][kWidth]; ///< +∞ where there is no child: infinitely far
+    float lower[3][kWidth]; ///< +∞ where there is no child
     float upper[3][kWidth];
-    std::int32_t child[kWidth]; ///< a node; or −1 − k for box k
+    std::int32_t child[kWidth]; ///< a node; or −1 − k for box k; 0: none, and none after it
+    std::uint32_t present;      ///< one bit for each child that there is
   };
 
   BoxTree() = default;

@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -45,12 +46,14 @@ constexpr int kMostHalvings = 100;
 /// piece's size. Farther away another piece may well be nearer, and a bound is what is wanted.
 constexpr double kNearPiece = 0.25;
 
+constexpr float kLargest = std::numeric_limits<float>::max();
+
 /// 2^32 boxes are eleven levels.
 constexpr int kMostLevels = 12;
 /// Ways down the tree beside the first one, each to what is nearer by more than this factor of the
 /// squared distance.
 constexpr int kMostWaysDown = 3;
-constexpr double kMuchNearer = 0.5;
+constexpr float kMuchNearer = 0.5F;
 
 /// Memory for so many candidates or survivors is kept from query to query.
 constexpr std::size_t kMostKept = 4096;
@@ -68,18 +71,17 @@ constexpr double kFarthest = 1e18;
 /// So many pieces a walk passes at the most.
 constexpr int kMostVisited = 4;
 
-/// Which of up to 64 numbers are at most a limit, one bit each.
-HWY_INLINE std::uint64_t at_most(const double* values, int count, double limit)
+/// Which of the numbers of a node's children are at most a limit, one bit each.
+HWY_INLINE unsigned at_most(const float* values, float limit)
 {
-  const hn::CappedTag<double, 8> tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
   const auto wanted = hn::Set(tag, limit);
-  std::uint64_t result = 0;
-  for (int k = 0; k < count; k += lanes)
+  unsigned result = 0;
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
   {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(tag, hn::Le(hn::LoadU(tag, values + k), wanted), bits);
-    result |= static_cast<std::uint64_t>(bits[0]) << k;
+    result |= static_cast<unsigned>(bits[0]) << k;
   }
   return result;
 }
@@ -93,7 +95,12 @@ struct Slopes
   double greatest; ///< and the greatest of the coefficients, by magnitude
 };
 
-/// The squared distance of a box is rounded a few times, in relative terms.
+/// The squared distance of a box is rounded a few times in single precision, in relative terms, after
+/// the query was rounded to where it is nearer.
+constexpr float kInward = 1.0F - 0x1p-20F;
+/// Rounds up to single precision.
+constexpr double kUpward = 1.0 + 0x1p-22;
+/// Roundings of double precision.
 constexpr double kOutward = 1.0 + 32.0 * kRounding;
 
 /// Edges of trimmed faces are proved for this part of the tolerance, so that what is left of it is
@@ -118,6 +125,9 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       this->P[k] = query.point(k);
+      const auto rounded = static_cast<float>(this->P[k]);
+      this->Below[k] = rounded > this->P[k] ? std::nextafter(rounded, -kLargest) : rounded;
+      this->Above[k] = rounded < this->P[k] ? std::nextafter(rounded, kLargest) : rounded;
     }
     this->Bound = query.limit;
     this->SquaredBound = query.limit * query.limit;
@@ -206,17 +216,17 @@ private:
 
   // === The search ===
 
-  void box_distances(const BoxTree::Node& node, double* squared) const;
+  void box_distances(const BoxTree::Node& node, float* squared) const;
   struct Visit;
   /// A child of a visited node that is a piece.
   struct Leaf
   {
     int visit;
     int child;
-    double squared; ///< distance of the box
+    float squared; ///< distance of the box
   };
   void visit(std::int32_t index);
-  static int nearest_child(const Visit& visit);
+  int nearest_child(const Visit& visit) const;
   Leaf go_down(std::int32_t child);
   /// Goes to the piece whose box seems nearest, for a first bound; whether a descent begins there.
   bool begin();
@@ -330,13 +340,15 @@ private:
   SearchWorkspace::Finds& Finds;
   CertifiedAnswer& Answer;
   double P[3];
+  float Below[3]; ///< P in single precision, not above and …
+  float Above[3]; ///< … not below it
   double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
   double SquaredBound = kInfinity;
   /// A node on the ways that begin() went down the tree, and the children that it went on with.
   struct Visit
   {
-    HWY_ALIGN double squared[BoxTree::kWidth];
-    HWY_ALIGN double score[BoxTree::kWidth];
+    HWY_ALIGN float squared[BoxTree::kWidth];
+    HWY_ALIGN float score[BoxTree::kWidth];
     std::int32_t node;
     unsigned followed;
   };

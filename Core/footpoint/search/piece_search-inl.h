@@ -22,24 +22,23 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// Squared distances of the boxes of a node from the query.
-HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared) const
+/// Squared distances of the boxes of a node from the query, not too large.
+HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, float* squared) const
 {
-  const hn::CappedTag<double, 8> tag;
-  const hn::Rebind<float, decltype(tag)> single;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
   const auto zero = hn::Zero(tag);
-  for (int k = 0; k < BoxTree::kWidth; k += lanes)
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
   {
     auto sum = zero;
     for (int i = 0; i < 3; ++i)
     {
-      const auto p = hn::Set(tag, this->P[i]);
-      const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
-      const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
-      const auto way = hn::Max(hn::Max(hn::Sub(lower, p), hn::Sub(p, upper)), zero);
+      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), hn::Set(tag, this->Above[i]));
+      const auto above = hn::Sub(hn::Set(tag, this->Below[i]), hn::LoadU(tag, node.upper[i] + k));
+      const auto way = hn::Max(hn::Max(below, above), zero);
       sum = hn::MulAdd(way, way, sum);
     }
+    // What is beyond single precision is not nearer than that.
+    sum = hn::Min(hn::Mul(sum, hn::Set(tag, kInward)), hn::Set(tag, kLargest));
     hn::StoreU(sum, tag, squared + k);
   }
 }
@@ -48,10 +47,10 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
 /// told apart by their middles.
 HWY_INLINE void Finder::visit(std::int32_t index)
 {
-  const hn::CappedTag<double, 8> tag;
-  const hn::Rebind<float, decltype(tag)> single;
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
   const auto zero = hn::Zero(tag);
-  const auto slight = hn::Set(tag, 1e-3); // weight of the distance of the middle
+  const auto slight = hn::Set(tag, 1e-3F); // weight of the distance of the middle
+  const auto largest = hn::Set(tag, kLargest);
   const BoxTree::Node& node = this->Structure.tree.nodes()[index];
   Visit& visit = this->Path[this->Depth++];
   visit.node = index;
@@ -62,34 +61,32 @@ HWY_INLINE void Finder::visit(std::int32_t index)
     auto middle = zero;
     for (int i = 0; i < 3; ++i)
     {
-      const auto p = hn::Set(tag, this->P[i]);
-      const auto below = hn::Sub(hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k)), p);
-      const auto above = hn::Sub(p, hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k)));
+      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), hn::Set(tag, this->Above[i]));
+      const auto above = hn::Sub(hn::Set(tag, this->Below[i]), hn::LoadU(tag, node.upper[i] + k));
       const auto way = hn::Max(hn::Max(below, above), zero);
       squared = hn::MulAdd(way, way, squared);
       const auto twice = hn::Sub(below, above);
       middle = hn::MulAdd(twice, twice, middle);
     }
+    squared = hn::Min(hn::Mul(squared, hn::Set(tag, kInward)), largest);
     hn::StoreU(squared, tag, visit.squared + k);
-    hn::StoreU(hn::MulAdd(slight, middle, squared), tag, visit.score + k);
+    hn::StoreU(hn::Min(hn::MulAdd(slight, middle, squared), largest), tag, visit.score + k);
   }
 }
 
 /// The child that a way down follows.
-HWY_INLINE int Finder::nearest_child(const Visit& visit)
+HWY_INLINE int Finder::nearest_child(const Visit& visit) const
 {
-  const hn::CappedTag<double, 8> tag;
-  auto least = hn::Set(tag, kInfinity);
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  auto least = hn::Set(tag, kLargest);
   for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
   {
     least = hn::Min(least, hn::LoadU(tag, visit.score + k));
   }
-  const double value = hn::GetLane(hn::MinOfLanes(tag, least));
-  // The first child, which there always is, where boxes beyond the range of single precision have no
-  // score: children that there are not have an infinite one.
-  const std::uint64_t bits =
-    value < kInfinity ? at_most(visit.score, BoxTree::kWidth, value) : 0;
-  return bits != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)) : 0;
+  const unsigned nearest = at_most(visit.score, hn::GetLane(hn::MinOfLanes(tag, least))) &
+    this->Structure.tree.nodes()[visit.node].present;
+  // The first one where scores are beyond the range of single precision.
+  return nearest != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(nearest)) : 0;
 }
 
 Finder::Leaf Finder::go_down(std::int32_t child)
@@ -114,18 +111,19 @@ bool Finder::begin()
   const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   Leaf leaf = this->go_down(0);
   // Where boxes overlap the way down may miss the one that holds the point.
-  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0; ++more)
+  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0F; ++more)
   {
-    double least = kMuchNearer * leaf.squared;
+    float least = kMuchNearer * leaf.squared;
     int from = -1;
     int next = 0;
     for (int k = 0; k < this->Depth; ++k)
     {
       const Visit& visit = this->Path[k];
-      std::uint64_t nearer = at_most(visit.squared, BoxTree::kWidth, least) & ~std::uint64_t(visit.followed);
+      unsigned nearer =
+        at_most(visit.squared, least) & nodes[visit.node].present & ~visit.followed;
       for (; nearer != 0; nearer &= nearer - 1)
       {
-        const auto child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(nearer));
+        const auto child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(nearer));
         if (visit.squared[child] < least)
         {
           least = visit.squared[child];
@@ -158,14 +156,14 @@ void Finder::collect()
   // Each level leaves at most seven siblings behind; 2^32 boxes are eleven levels.
   std::int32_t stack[BoxTree::kWidth * 16];
   int top = 0;
-  auto take = [&](const BoxTree::Node& node, const double* squared, std::uint64_t except)
+  auto take = [&](const BoxTree::Node& node, const float* squared, unsigned except)
   {
     const double reach = this->reach();
-    const double limit = std::min(reach * reach * kOutward, std::numeric_limits<double>::max());
-    std::uint64_t hits = at_most(squared, BoxTree::kWidth, limit) & ~except;
+    const auto limit = static_cast<float>(std::min<double>(reach * reach * kUpward, kLargest));
+    unsigned hits = at_most(squared, limit) & node.present & ~except;
     for (; hits != 0; hits &= hits - 1)
     {
-      const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero64(hits);
+      const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero32(hits);
       const std::int32_t child = node.child[k];
       if (child >= 0)
       {
@@ -188,7 +186,7 @@ void Finder::collect()
     while (top > 0)
     {
       const BoxTree::Node& node = nodes[stack[--top]];
-      HWY_ALIGN double squared[BoxTree::kWidth];
+      HWY_ALIGN float squared[BoxTree::kWidth];
       this->box_distances(node, squared);
       take(node, squared, 0);
     }
@@ -348,7 +346,7 @@ void Finder::collect(std::int32_t index, double squared)
   }
   const double away = dot(r, r);
   const double length = bound_of_length(r);
-  double bound = squared / kOutward;
+  double bound = squared;
   if (outline.count == 0 || !(length <= kFarthest))
   {
     this->Finds.candidates.push_back({ index, bound });
