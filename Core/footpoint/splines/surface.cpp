@@ -17,6 +17,9 @@ constexpr int kHighestOrder = 2;
 /// Derivatives of (w·S, w) in the order of the jet: point, u, v, uu, uv, vv.
 using Sums = std::array<Eigen::Vector4d, 6>;
 
+/// Rows of basis functions and of their derivatives.
+using BasisRows = double[(kHighestOrder + 1) * (kMaximumDegree + 1)];
+
 void check_count(const std::array<KnotVector, 2>& knots, Eigen::Index control_points)
 {
   const Eigen::Index nu = knots[0].number_of_control_points();
@@ -28,6 +31,38 @@ void check_count(const std::array<KnotVector, 2>& knots, Eigen::Index control_po
         std::to_string(nv) + " = " + std::to_string(nu * nv) + " control points; there are " +
         std::to_string(control_points));
   }
+}
+
+/// Rows of the net are summed along u; each sum is then spread over the derivatives along v.
+/// \param net   of the first control point that counts, nu of them to the next row
+/// \param basis values and derivatives of the basis functions along either direction
+template <int Order>
+Sums sum(const double* net, Eigen::Index nu, const BasisRows (&basis)[2],
+  const std::array<int, 2>& count)
+{
+  Sums sums;
+  sums.fill(Eigen::Vector4d::Zero());
+  for (int j = 0; j < count[1]; ++j, net += 4 * nu)
+  {
+    std::array<Eigen::Vector4d, Order + 1> row;
+    row.fill(Eigen::Vector4d::Zero());
+    for (int i = 0; i < count[0]; ++i)
+    {
+      const Eigen::Vector4d control = Eigen::Map<const Eigen::Vector4d>(net + 4 * i);
+      for (int a = 0; a <= Order; ++a)
+      {
+        row[a] += basis[0][a * count[0] + i] * control;
+      }
+    }
+    for (int a = 0; a <= Order; ++a)
+    {
+      for (int b = 0; a + b <= Order; ++b)
+      {
+        sums[(a + b) * (a + b + 1) / 2 + b] += basis[1][b * count[1] + j] * row[a];
+      }
+    }
+  }
+  return sums;
 }
 
 Jet<2> polynomial_jet(const Sums& sums, int order)
@@ -94,7 +129,7 @@ Jet<2> Surface::jet(const Parameter<2>& t, const Sides<2>& sides, int order) con
   order = std::clamp(order, 0, kHighestOrder);
   std::array<int, 2> count;
   std::array<int, 2> first;
-  double basis[2][(kHighestOrder + 1) * (kMaximumDegree + 1)];
+  BasisRows basis[2];
   for (int i = 0; i < 2; ++i)
   {
     const int span = this->Knots[i].find_span(t[i], sides[i]);
@@ -103,27 +138,11 @@ Jet<2> Surface::jet(const Parameter<2>& t, const Sides<2>& sides, int order) con
     first[i] = span - count[i] + 1;
   }
 
-  // Rows of the net are summed along u; each sum is then spread over the derivatives along v.
-  Sums sums;
-  sums.fill(Eigen::Vector4d::Zero());
   const Eigen::Index nu = this->Knots[0].number_of_control_points();
-  for (int j = 0; j < count[1]; ++j)
-  {
-    const Eigen::Index start = (first[1] + j) * nu + first[0];
-    for (int a = 0; a <= order; ++a)
-    {
-      Eigen::Vector4d row = Eigen::Vector4d::Zero();
-      for (int i = 0; i < count[0]; ++i)
-      {
-        row += basis[0][a * count[0] + i] * this->Homogeneous.col(start + i);
-      }
-      for (int b = 0; a + b <= order; ++b)
-      {
-        const int k = (a + b) * (a + b + 1) / 2 + b;
-        sums[k] += basis[1][b * count[1] + j] * row;
-      }
-    }
-  }
+  const double* net = this->Homogeneous.data() + 4 * (first[1] * nu + first[0]);
+  const Sums sums = order == 0 ? sum<0>(net, nu, basis, count)
+    : order == 1               ? sum<1>(net, nu, basis, count)
+                               : sum<2>(net, nu, basis, count);
   return this->rational() ? rational_jet(sums, order) : polynomial_jet(sums, order);
 }
 
