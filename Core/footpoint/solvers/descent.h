@@ -64,10 +64,11 @@ private:
     return error * (this->Current.distance + error);
   }
 
-  bool lower(const Frame<N>& frame) const
+  bool is_lower(double energy) const
   {
-    return frame.energy() < this->Current.energy() - this->energy_noise();
+    return energy < this->Current.energy() - this->energy_noise();
   }
+  bool lower(const Frame<N>& frame) const { return this->is_lower(frame.energy()); }
 
   StepSettings<N> settings(const Eigen::Matrix<bool, N, 1>& free) const
   {
@@ -116,6 +117,8 @@ private:
 
   /// The better of the full step and, where it crosses a border of the piece, the border itself.
   Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const;
+  /// Whether a frame at which arrive() may end is lower: from points alone, without their derivatives.
+  bool may_be_lower_after(const Parameter<N>& step) const;
 
   /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their
   /// floor.

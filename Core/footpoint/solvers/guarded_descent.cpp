@@ -193,6 +193,21 @@ Frame<N> Descent<N>::arrive(const Parameter<N>& step, Parameter<N>& moved) const
 }
 
 template <int N>
+bool Descent<N>::may_be_lower_after(const Parameter<N>& step) const
+{
+  const auto is_lower_at = [this](const Place& place)
+  {
+    const double distance =
+      (this->Geometry.jet(place.t, place.sides, 0).point - this->Query).norm();
+    return this->is_lower(0.5 * distance * distance);
+  };
+  const auto move = this->Conditions.walk().move(this->place(), step);
+  return is_lower_at(move.place) ||
+    (move.crosses &&
+      is_lower_at(this->Conditions.walk().move_to_border(this->place(), step).place));
+}
+
+template <int N>
 bool Descent<N>::accepts(const Frame<N>& frame, const Parameter<N>& moved) const
 {
   const double promised = std::max(0.0, -this->Current.gradient.dot(moved));
@@ -282,6 +297,8 @@ template LocalFoot<1> Descent<1>::descend();
 template LocalFoot<2> Descent<2>::descend();
 template typename Descent<1>::Candidate Descent<1>::step();
 template typename Descent<2>::Candidate Descent<2>::step();
+template bool Descent<1>::may_be_lower_after(const Parameter<1>&) const;
+template bool Descent<2>::may_be_lower_after(const Parameter<2>&) const;
 template Frame<1> Descent<1>::arrive(const Parameter<1>&, Parameter<1>&) const;
 template Frame<2> Descent<2>::arrive(const Parameter<2>&, Parameter<2>&) const;
 

@@ -262,6 +262,11 @@ typename Descent<N>::Candidate Descent<N>::probe(const Parameter<N>& direction) 
   }
   for (double part = 0.1; part > 1e-7 && std::isfinite(reach); part *= 0.1)
   {
+    if (!this->may_be_lower_after(-part * reach * direction) &&
+      !this->may_be_lower_after(part * reach * direction))
+    {
+      continue;
+    }
     Parameter<N> moved;
     const Frame<N> back = this->arrive(-part * reach * direction, moved);
     const Frame<N> forth = this->arrive(part * reach * direction, moved);
