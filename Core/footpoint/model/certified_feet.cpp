@@ -5,7 +5,6 @@
 #include "footpoint/search/box_traversal.h"
 #include "footpoint/search/line_search.h"
 #include "footpoint/search/stationary_cells.h"
-#include "footpoint/solvers/foot_conditions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +13,6 @@ namespace footpoint
 {
 namespace
 {
-
-/// A foot is plain where r is orthogonal to this cosine, or to this fraction of the size, …
-constexpr double kPlainCosine = 1e-12;
-constexpr double kPlainResidual = 1e-13;
-/// … where a boundary holds it with at least this cosine, …
-constexpr double kHeldCosine = 1e-6;
-/// … where the Hessian's smallest eigenvalue, in units of |S_i|, is above this, …
-constexpr double kPlainCurvature = 1e-5;
-/// … and where the sine between S_u and S_v is above this.
-constexpr double kPlainSine = 1e-6;
 
 /// A start on a border over which the geometry is not smooth is moved inside by this part of the
 /// piece, since there the sides differ (a gap even has two points).
@@ -45,16 +34,6 @@ constexpr int kMostParts = 16;
 double extraction_error(int degrees)
 {
   return (8.0 * degrees + 64.0) * 0x1p-53;
-}
-
-Vector3 vector(const std::array<double, 3>& a)
-{
-  return { a[0], a[1], a[2] };
-}
-
-const Direction& direction_of(const Patch& patch, int i)
-{
-  return patch.curve ? patch.curve->direction(0) : patch.surface->direction(i);
 }
 
 } // namespace
@@ -260,158 +239,6 @@ PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const
   result.converged = true;
   result.iterations = foot.iterations;
   return result;
-}
-
-Parameter<2> CertifiedFeet::domain_parameter(const PieceFoot& foot, const Piece& piece) const
-{
-  const Patch& patch = *this->Members[piece.patch].patch;
-  Parameter<2> parameter = Parameter<2>::Zero();
-  for (int i = 0; i < (patch.curve ? 1 : 2); ++i)
-  {
-    const int from = patch.curve ? 1 : i;
-    const double t = foot.t[from];
-    const Direction& direction = direction_of(patch, i);
-    double local = piece.lower[from] + t * piece.width[from];
-    if (t > 0.0 && t < 1.0)
-    {
-      parameter(i) = direction.origin + local;
-      continue;
-    }
-    // Knots come back as the very numbers that the geometry was given.
-    local = t == 0.0 ? piece.lower[from] : piece.upper[from];
-    const auto knot = std::lower_bound(direction.spans.begin(), direction.spans.end(), local);
-    const bool on_knot =
-      !direction.knots.empty() && knot != direction.spans.end() && *knot == local;
-    parameter(i) =
-      on_knot ? direction.knots[knot - direction.spans.begin()] : direction.origin + local;
-  }
-  return parameter;
-}
-
-/// \pre inside a smooth part of the edge, and orthogonal to it
-bool CertifiedFeet::plain_edge_foot(const PieceFoot& found, Foot& foot) const
-{
-  const Piece& piece = this->Search.piece(found.piece);
-  const Member& member = this->Members[piece.patch];
-  const Surface& surface = member.edge->surface();
-  const Parameter<2> at =
-    member.edge->surface_parameter(piece.lower[1] + found.t[1] * piece.width[1]);
-  for (int i = 0; i < 2; ++i)
-  {
-    const Direction& direction = surface.direction(i);
-    const auto line = std::lower_bound(direction.breaks.begin(), direction.breaks.end(), at(i),
-      [](const Break& one, double where) { return one.at < where; });
-    if (line != direction.breaks.end() && line->at == at(i) && at(i) > 0.0 &&
-      at(i) < direction.length)
-    {
-      return false; // the edge runs along a kink of the surface
-    }
-  }
-  const Jet<2> jet = surface.jet(at, Sides<2>::Constant(Side::Right), 1);
-  const Vector3 normal = jet.first.col(0).cross(jet.first.col(1));
-  const double length = normal.norm();
-  if (!(length > kPlainSine * jet.first.col(0).norm() * jet.first.col(1).norm()))
-  {
-    return false;
-  }
-  // S(c(t)) itself: the piece is an approximation of it.
-  const Vector3 centre = surface.centre() - this->Centre;
-  const Vector3 shift = centre + jet.point - vector(found.position);
-  const Vector3 offset = vector(found.offset) + shift;
-  foot.direction = normal / (member.reversed ? -length : length);
-  foot.distance = offset.norm();
-  foot.signed_distance = -offset.dot(foot.direction) < 0.0 ? -foot.distance : foot.distance;
-  foot.type = FootType::Edge;
-  foot.isolated = true;
-  foot.iterations = found.iterations;
-  foot.face = member.face;
-  foot.on_curve = false;
-  foot.parameter = surface.to_domain(at);
-  foot.point = surface.centre() + jet.point;
-  return true;
-}
-
-bool CertifiedFeet::plain_foot(const PieceFoot& found, Foot& foot) const
-{
-  const Piece& piece = this->Search.piece(found.piece);
-  const Member& member = this->Members[piece.patch];
-  const bool curve = member.patch->curve != nullptr;
-  const std::array<double, 2>& metric = found.metric;
-  int bounds = 0;
-  bool held[2] = { curve, false };
-  const double nearly = std::max(kPlainCosine * found.distance, kPlainResidual * this->Size);
-  const double steep = kHeldCosine * std::max(found.distance, this->Size);
-  for (int i = curve ? 1 : 0; i < 2; ++i)
-  {
-    const double slowest = kStalledSpeed * direction_of(*member.patch, i).speed * piece.width[i];
-    if (!(metric[i] > slowest * slowest))
-    {
-      return false;
-    }
-    bool boundary = false;
-    if (found.t[i] == 0.0 || found.t[i] == 1.0)
-    {
-      const PieceSide side = piece.sides[i][found.t[i] == 1.0];
-      if (side == PieceSide::Special)
-      {
-        return false;
-      }
-      boundary = side == PieceSide::Boundary;
-    }
-    bounds += boundary;
-    // The squares of the residual |r·S_i| / |S_i| and of what it is compared with, times |S_i|².
-    const double slope = found.gradient[i] * found.gradient[i];
-    held[i] = boundary && slope > steep * steep * metric[i];
-    if (!held[i] && slope > nearly * nearly * metric[i])
-    {
-      return false;
-    }
-  }
-  if (member.edge && bounds > 0)
-  {
-    return false;
-  }
-  // The Hessian over the directions that nothing holds, in units of |S_i|; its determinant over its
-  // trace is a lower bound of the smaller eigenvalue.
-  const double a = held[0] ? 1.0 : found.hessian[0] / metric[0];
-  const double c = held[1] ? 1.0 : found.hessian[2] / metric[1];
-  const double bb = held[0] || held[1]
-    ? 0.0
-    : found.hessian[1] * found.hessian[1] / (metric[0] * metric[1]);
-  if (!(a > 0.0 && c > 0.0 && a * c - bb > kPlainCurvature * (a + c)))
-  {
-    return false;
-  }
-  if (member.edge)
-  {
-    return this->plain_edge_foot(found, foot);
-  }
-  if (curve)
-  {
-    foot.direction = vector(found.first[1]) / std::sqrt(metric[1]);
-  }
-  else
-  {
-    const Vector3 normal = vector(found.first[0]).cross(vector(found.first[1]));
-    const double squared = normal.squaredNorm();
-    if (!(squared > kPlainSine * kPlainSine * metric[0] * metric[1]))
-    {
-      return false;
-    }
-    foot.direction = normal / std::copysign(std::sqrt(squared), member.reversed ? -1.0 : 1.0);
-    const bool below = -vector(found.offset).dot(foot.direction) < 0.0;
-    foot.signed_distance = below ? -found.distance : found.distance;
-  }
-  foot.type =
-    bounds == 0 ? FootType::Interior : (bounds == 2 || curve ? FootType::Vertex : FootType::Edge);
-  foot.isolated = true;
-  foot.iterations = found.iterations;
-  foot.face = member.face;
-  foot.on_curve = curve;
-  foot.parameter = this->domain_parameter(found, piece);
-  foot.point = this->Centre + vector(found.position);
-  foot.distance = found.distance;
-  return true;
 }
 
 } // namespace footpoint

@@ -71,9 +71,18 @@ public:
   /// Fills in everything for a foot inside a smooth part of the geometry or on an open boundary,
   /// the only one near it; false where it is none of those and has to be looked at more closely.
   bool plain_foot(const PieceFoot& found, Foot& foot) const;
+  /// The same for the feet that the pieces on either side of a kink have on it, where either leads
+  /// away from the query.
+  bool plain_kink_foot(const PieceFoot& one, const PieceFoot& two, Foot& foot) const;
 
 private:
   bool plain_edge_foot(const PieceFoot& found, Foot& foot) const;
+  /// Of a patch, or of a curve twice the same.
+  static const Direction& direction_of(const Patch& patch, int i)
+  {
+    return patch.curve ? patch.curve->direction(0) : patch.surface->direction(i);
+  }
+  static Vector3 vector(const std::array<double, 3>& a) { return { a[0], a[1], a[2] }; }
   bool visit_start(const PieceStart& start, const VisitPart& visit) const;
   Parameter<2> domain_parameter(const PieceFoot& foot, const Piece& piece) const;
 

@@ -187,8 +187,10 @@ Foot PointInverter::Implementation::certified_foot(
 {
   const CertifiedFeet& certified = *this->Prepared->certified();
   Foot foot;
-  if (answer.count == 1 && answer.certified && certified.complete() &&
-    certified.plain_foot(answer.feet[0], foot))
+  const bool is_plain = answer.certified && certified.complete() &&
+    ((answer.count == 1 && certified.plain_foot(answer.feet[0], foot)) ||
+      (answer.count == 2 && certified.plain_kink_foot(answer.feet[0], answer.feet[1], foot)));
+  if (is_plain)
   {
     foot.status = this->is_known(certified.member(answer.feet[0])) ? Status::Certified
                                                                     : Status::Converged;
