@@ -77,7 +77,7 @@ public:
 private:
   static constexpr int kWidth = 4;
   static constexpr int kMostColumns = ((Q < 0 ? kMaximumDegree : Q == 1 ? 2 : Q) + kWidth) / kWidth * kWidth;
-  static constexpr int kMostTests = 24; ///< cells; beyond that the distance form is the better way
+  static constexpr int kMostTests = 16; ///< cells; beyond that the distance form is the better way
 
   /// Where the foot is along a direction of a cell.
   enum class FootAt
