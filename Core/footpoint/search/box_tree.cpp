@@ -85,7 +85,7 @@ std::int32_t Builder::build(std::size_t begin, std::size_t end)
     full *= BoxTree::kWidth;
   }
   std::vector<Range> ranges{ { begin, end } };
-  for (int level = 0; level < 3; ++level)
+  for (int parts = 1; parts < BoxTree::kWidth; parts *= 2)
   {
     std::vector<Range> next;
     for (const Range& range : ranges)

@@ -10,12 +10,12 @@
 namespace footpoint
 {
 
-/// A hierarchy of axis-parallel boxes, eight children a node, so that one vector operation asks all
-/// of them. Corners are kept in single precision, rounded outward. Built once; const.
+/// A hierarchy of axis-parallel boxes, sixteen children a node, so that a few vector operations ask all
+/// of them and there are few levels, one of which waits for the other. Corners are kept in single precision, rounded outward. Built once; const.
 class BoxTree
 {
 public:
-  static constexpr int kWidth = 8;
+  static constexpr int kWidth = 16;
 
   struct alignas(64) Node
   {

@@ -48,8 +48,8 @@ constexpr double kNearPiece = 0.25;
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
-/// 2^32 boxes are eleven levels.
-constexpr int kMostLevels = 12;
+/// 2^32 boxes are eight levels, and a last one that is not full.
+constexpr int kMostLevels = 10;
 /// Ways down the tree beside the first one, each to what is nearer by more than this factor of the
 /// squared distance.
 constexpr int kMostWaysDown = 3;
@@ -125,9 +125,11 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       this->P[k] = query.point(k);
-      const auto rounded = static_cast<float>(this->P[k]);
-      this->Below[k] = rounded > this->P[k] ? std::nextafter(rounded, -kLargest) : rounded;
-      this->Above[k] = rounded < this->P[k] ? std::nextafter(rounded, kLargest) : rounded;
+      const auto rounded = static_cast<float>(
+        std::min(std::max(this->P[k], -static_cast<double>(kLargest)), static_cast<double>(kLargest)));
+      const float step = std::abs(rounded) * 0x1p-23F + std::numeric_limits<float>::min();
+      this->Below[k] = rounded - step;
+      this->Above[k] = rounded + step;
     }
     this->Bound = query.limit;
     this->SquaredBound = query.limit * query.limit;

@@ -153,8 +153,8 @@ bool Finder::begin()
 void Finder::collect()
 {
   const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
-  // Each level leaves at most seven siblings behind; 2^32 boxes are eleven levels.
-  std::int32_t stack[BoxTree::kWidth * 16];
+  // Each level leaves all but one of its children behind.
+  std::int32_t stack[BoxTree::kWidth * kMostLevels];
   int top = 0;
   auto take = [&](const BoxTree::Node& node, const float* squared, unsigned except)
   {
