@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace footpoint
 {
@@ -28,9 +27,13 @@ public:
   Builder(const std::vector<Corners>& boxes, std::vector<BoxTree::Node>& nodes)
     : Boxes(boxes)
     , Nodes(nodes)
-    , Order(boxes.size())
   {
-    std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Order.reserve(boxes.size());
+    for (const Corners& box : boxes)
+    {
+      this->Order.push_back(
+        { (box[0] + box[1]).cast<float>(), static_cast<std::int32_t>(this->Order.size()) });
+    }
   }
 
   std::int32_t build(std::size_t begin, std::size_t end);
@@ -41,6 +44,12 @@ private:
     std::size_t begin;
     std::size_t end;
   };
+  /// A box, by its middle (twice); precise enough to put them into an order.
+  struct Item
+  {
+    Eigen::Vector3f middle;
+    std::int32_t box;
+  };
 
   /// Two parts along the axis in which the middles of the boxes spread most, as even as they come in
   /// multiples of a number of boxes.
@@ -48,18 +57,17 @@ private:
 
   const std::vector<Corners>& Boxes;
   std::vector<BoxTree::Node>& Nodes;
-  std::vector<std::int32_t> Order;
+  std::vector<Item> Order;
 };
 
 std::array<Builder::Range, 2> Builder::split(Range range, std::size_t multiple)
 {
-  Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
-  Vector3 upper = -lower;
-  auto middle = [&](std::int32_t k) { return Vector3(this->Boxes[k][0] + this->Boxes[k][1]); };
+  Eigen::Array3f lower = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f upper = -lower;
   for (std::size_t k = range.begin; k < range.end; ++k)
   {
-    lower = lower.cwiseMin(middle(this->Order[k]));
-    upper = upper.cwiseMax(middle(this->Order[k]));
+    lower = lower.min(this->Order[k].middle.array());
+    upper = upper.max(this->Order[k].middle.array());
   }
   int axis = 0;
   (upper - lower).maxCoeff(&axis);
@@ -67,11 +75,11 @@ std::array<Builder::Range, 2> Builder::split(Range range, std::size_t multiple)
   const std::size_t multiples = (range.end - range.begin + multiple - 1) / multiple;
   const std::size_t half = range.begin + multiples / 2 * multiple;
   std::nth_element(first + range.begin, first + half, first + range.end,
-    [&](std::int32_t a, std::int32_t b)
+    [axis](const Item& a, const Item& b)
     {
-      const double at_a = this->Boxes[a][0](axis) + this->Boxes[a][1](axis);
-      const double at_b = this->Boxes[b][0](axis) + this->Boxes[b][1](axis);
-      return at_a != at_b ? at_a < at_b : a < b;
+      const float at_a = a.middle(axis);
+      const float at_b = b.middle(axis);
+      return at_a != at_b ? at_a < at_b : a.box < b.box;
     });
   return { { { range.begin, half }, { half, range.end } } };
 }
@@ -109,16 +117,17 @@ std::int32_t Builder::build(std::size_t begin, std::size_t end)
     Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
     Vector3 upper = lower;
     std::int32_t child = 0;
-    if (k < static_cast<int>(ranges.size()) && ranges[k].begin < ranges[k].end)
+    if (k < static_cast<int>(ranges.size()))
     {
+      const Range& range = ranges[k];
       upper = -lower;
-      for (std::size_t i = ranges[k].begin; i < ranges[k].end; ++i)
+      for (std::size_t i = range.begin; i < range.end; ++i)
       {
-        lower = lower.cwiseMin(this->Boxes[this->Order[i]][0]);
-        upper = upper.cwiseMax(this->Boxes[this->Order[i]][1]);
+        lower = lower.cwiseMin(this->Boxes[this->Order[i].box][0]);
+        upper = upper.cwiseMax(this->Boxes[this->Order[i].box][1]);
       }
-      child = ranges[k].end - ranges[k].begin == 1 ? -1 - this->Order[ranges[k].begin]
-                                                   : this->build(ranges[k].begin, ranges[k].end);
+      child = range.end - range.begin == 1 ? -1 - this->Order[range.begin].box
+                                           : this->build(range.begin, range.end);
     }
     BoxTree::Node& node = this->Nodes[index];
     for (int i = 0; i < 3; ++i)
@@ -138,7 +147,7 @@ BoxTree::BoxTree(const std::vector<Corners>& boxes)
 {
   if (!boxes.empty())
   {
-    this->Nodes.reserve(boxes.size() / 6 + 8);
+    this->Nodes.reserve(boxes.size() / 8 + 8);
     Builder(boxes, this->Nodes).build(0, boxes.size());
   }
 }

@@ -113,19 +113,20 @@ public:
           (least_weight * inverse);
         numbers[3 * this->Count + k] = static_cast<float>(a);
         greatest = std::max({ greatest, std::abs(a), squared });
-        // A curve has each of its ends twice.
-        for (int end = 0; end < PieceOutline::kCorners; ++end)
-        {
-          if (i == end / 2 * p && j == end % 2 * q)
-          {
-            for (int c = 0; c < 3; ++c)
-            {
-              corner[c * PieceOutline::kCorners + end] = numbers[c * this->Count + k];
-            }
-            corner[3 * PieceOutline::kCorners + end] = static_cast<float>(squared);
-          }
-        }
       }
+    }
+    // A curve has each of its ends twice.
+    const int corners[PieceOutline::kCorners] = { 0, q, p * (q + 1), p * (q + 1) + q };
+    for (int end = 0; end < PieceOutline::kCorners; ++end)
+    {
+      double squared = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        const float x = numbers[c * this->Count + corners[end]];
+        corner[c * PieceOutline::kCorners + end] = x;
+        squared += static_cast<double>(x) * x;
+      }
+      corner[3 * PieceOutline::kCorners + end] = static_cast<float>(squared);
     }
     for (int c = 0; c < 4; ++c)
     {
