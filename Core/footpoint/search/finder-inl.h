@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finder: all that one query needs. Its members are defined in piece_forms-inl.h, piece_search-inl.h and
-// piece_proof-inl.h. Compiled once for each set of vector instructions (the
+// Finder: all that one query needs. Its members are defined in piece_forms-inl.h, piece_collection-inl.h,
+// piece_search-inl.h and piece_proof-inl.h. Compiled once for each set of vector instructions (the
 // guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_FINDER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_FINDER_INL_H

@@ -441,8 +441,9 @@ bool Finder::proves_by_height(
     point[k] = survivor.position[k] - query.piece->origin[k];
   }
   const double distance = this->found() ? this->best().distance : this->Query.limit;
-  // Both queries' distances, and their squares, may differ by as much.
-  const double left = tolerance - 4.0 * this->moved(query);
+  // Both queries' distances, and their squares, may differ by as much. Where nothing was found there is
+  // nothing within the limit for certain, without a tolerance.
+  const double left = (this->found() ? tolerance : 0.0) - 4.0 * this->moved(query);
   return this->is_above(query, point, survivor.offset.data(), survivor.t,
     this->excess_of(survivor) + left * (2.0 * distance - left));
 }

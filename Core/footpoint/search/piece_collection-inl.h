@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The members of Finder that go through the tree of boxes: to a piece to begin with, and to all that may
+// hold the nearest point. Compiled once for each set of vector instructions (the guard of Highway's
+// "-inl.h" headers).
+#if defined(FOOTPOINT_PIECE_COLLECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FOOTPOINT_PIECE_COLLECTION_INL_H
+#undef FOOTPOINT_PIECE_COLLECTION_INL_H
+#else
+#define FOOTPOINT_PIECE_COLLECTION_INL_H
+#endif
+
+#include "footpoint/search/finder-inl.h"
+
+#include <algorithm>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace footpoint
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+
+/// Squared distances of the boxes of a node from the query, not too large.
+HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, float* squared) const
+{
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  const auto zero = hn::Zero(tag);
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
+  {
+    auto sum = zero;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), hn::Set(tag, this->Above[i]));
+      const auto above = hn::Sub(hn::Set(tag, this->Below[i]), hn::LoadU(tag, node.upper[i] + k));
+      const auto way = hn::Max(hn::Max(below, above), zero);
+      sum = hn::MulAdd(way, way, sum);
+    }
+    // What is beyond single precision is not nearer than that.
+    sum = hn::Min(hn::Mul(sum, hn::Set(tag, kInward)), hn::Set(tag, kLargest));
+    hn::StoreU(sum, tag, squared + k);
+  }
+}
+
+/// Squared distances of the boxes of a node, and what a way down goes by: boxes that hold the point are
+/// told apart by their middles.
+HWY_INLINE void Finder::visit(std::int32_t index)
+{
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  const auto zero = hn::Zero(tag);
+  const auto slight = hn::Set(tag, 1e-3F); // weight of the distance of the middle
+  const auto largest = hn::Set(tag, kLargest);
+  const BoxTree::Node& node = this->Structure.tree.nodes()[index];
+  Visit& visit = this->Path[this->Depth++];
+  visit.node = index;
+  visit.followed = 0;
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
+  {
+    auto squared = zero;
+    auto middle = zero;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), hn::Set(tag, this->Above[i]));
+      const auto above = hn::Sub(hn::Set(tag, this->Below[i]), hn::LoadU(tag, node.upper[i] + k));
+      const auto way = hn::Max(hn::Max(below, above), zero);
+      squared = hn::MulAdd(way, way, squared);
+      const auto twice = hn::Sub(below, above);
+      middle = hn::MulAdd(twice, twice, middle);
+    }
+    squared = hn::Min(hn::Mul(squared, hn::Set(tag, kInward)), largest);
+    hn::StoreU(squared, tag, visit.squared + k);
+    hn::StoreU(hn::Min(hn::MulAdd(slight, middle, squared), largest), tag, visit.score + k);
+  }
+}
+
+/// The child that a way down follows.
+HWY_INLINE int Finder::nearest_child(const Visit& visit) const
+{
+  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  auto least = hn::Set(tag, kLargest);
+  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
+  {
+    least = hn::Min(least, hn::LoadU(tag, visit.score + k));
+  }
+  const unsigned nearest = at_most(visit.score, hn::GetLane(hn::MinOfLanes(tag, least))) &
+    this->Structure.tree.nodes()[visit.node].present;
+  // The first one where scores are beyond the range of single precision.
+  return nearest != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(nearest)) : 0;
+}
+
+Finder::Leaf Finder::go_down(std::int32_t child)
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  for (;;)
+  {
+    this->visit(child);
+    Visit& visit = this->Path[this->Depth - 1];
+    const int nearest = nearest_child(visit);
+    child = nodes[visit.node].child[nearest];
+    if (child < 0)
+    {
+      return { this->Depth - 1, nearest, visit.squared[nearest] };
+    }
+    visit.followed |= 1U << nearest;
+  }
+}
+
+bool Finder::begin()
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  Leaf leaf = this->go_down(0);
+  // Where boxes overlap the way down may miss the one that holds the point.
+  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0F; ++more)
+  {
+    float least = kMuchNearer * leaf.squared;
+    int from = -1;
+    int next = 0;
+    for (int k = 0; k < this->Depth; ++k)
+    {
+      const Visit& visit = this->Path[k];
+      unsigned nearer =
+        at_most(visit.squared, least) & nodes[visit.node].present & ~visit.followed;
+      for (; nearer != 0; nearer &= nearer - 1)
+      {
+        const auto child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(nearer));
+        if (visit.squared[child] < least)
+        {
+          least = visit.squared[child];
+          from = k;
+          next = child;
+        }
+      }
+    }
+    if (from < 0)
+    {
+      break;
+    }
+    const std::int32_t child = nodes[this->Path[from].node].child[next];
+    Leaf other{ from, next, least };
+    if (child >= 0)
+    {
+      this->Path[from].followed |= 1U << next;
+      other = this->go_down(child);
+    }
+    leaf = other.squared < leaf.squared ? other : leaf;
+  }
+  Visit& last = this->Path[leaf.visit];
+  last.followed |= 1U << leaf.child;
+  return this->begin_with(-1 - nodes[last.node].child[leaf.child], leaf.squared);
+}
+
+void Finder::collect()
+{
+  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  // Each level leaves all but one of its children behind.
+  std::int32_t stack[BoxTree::kWidth * kMostLevels];
+  int top = 0;
+  auto take = [&](const BoxTree::Node& node, const float* squared, unsigned except)
+  {
+    const double reach = this->reach();
+    const auto limit = static_cast<float>(std::min<double>(reach * reach * kUpward, kLargest));
+    unsigned hits = at_most(squared, limit) & node.present & ~except;
+    for (; hits != 0; hits &= hits - 1)
+    {
+      const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero32(hits);
+      const std::int32_t child = node.child[k];
+      if (child >= 0)
+      {
+        stack[top++] = child;
+      }
+      else
+      {
+        if (!this->is_settled(-1 - child))
+        {
+          this->collect(-1 - child, squared[k]);
+        }
+      }
+    }
+  };
+  // What begin() passed on its way, the nearest first.
+  for (int k = this->Depth - 1; k >= 0; --k)
+  {
+    const Visit& visit = this->Path[k];
+    take(nodes[visit.node], visit.squared, visit.followed);
+    while (top > 0)
+    {
+      const BoxTree::Node& node = nodes[stack[--top]];
+      HWY_ALIGN float squared[BoxTree::kWidth];
+      this->box_distances(node, squared);
+      take(node, squared, 0);
+    }
+  }
+}
+
+void Finder::collect(std::int32_t index, double squared)
+{
+  const PieceOutline& outline = this->Structure.outlines[index];
+  double r[3];
+  double size = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    r[k] = outline.middle[k] - this->P[k];
+    size += std::abs(outline.middle[k]) + std::abs(this->P[k]);
+  }
+  const double away = dot(r, r);
+  const double length = bound_of_length(r);
+  double bound = squared;
+  if (outline.count == 0 || !(length <= kFarthest))
+  {
+    this->Finds.candidates.push_back({ index, bound });
+    return;
+  }
+  const hn::CappedTag<float, PieceOutline::kWidth> tag;
+  const auto x = hn::Set(tag, static_cast<float>(2.0 * r[0]));
+  const auto y = hn::Set(tag, static_cast<float>(2.0 * r[1]));
+  const auto z = hn::Set(tag, static_cast<float>(2.0 * r[2]));
+  const float* number = outline.numbers;
+  const int count = outline.count;
+  auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+  for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(tag)), number += hn::Lanes(tag))
+  {
+    auto f = hn::MulAdd(x, hn::LoadU(tag, number), hn::LoadU(tag, number + 3 * count));
+    f = hn::MulAdd(y, hn::LoadU(tag, number + count), f);
+    f = hn::MulAdd(z, hn::LoadU(tag, number + 2 * count), f);
+    least = hn::Min(least, f);
+  }
+  // Roundings of single precision, then of r.
+  const double error = kOutlineRounding * (2.0 * length * outline.longest + outline.greatest) +
+    16.0 * kRounding * size * length;
+  bound = std::max(
+    bound, away - error + static_cast<double>(hn::GetLane(hn::MinOfLanes(tag, least))));
+  const double reach = this->reach() + this->Structure.greatest_error;
+  if (bound >= reach * reach * kOutward)
+  {
+    return;
+  }
+  this->Finds.candidates.push_back({ index, bound });
+  // The corners are points of the piece.
+  const float* corner = outline.numbers + 4 * count;
+  const hn::CappedTag<float, PieceOutline::kCorners> corners;
+  HWY_ALIGN float value[PieceOutline::kCorners];
+  for (int k = 0; k < PieceOutline::kCorners; k += static_cast<int>(hn::Lanes(corners)))
+  {
+    auto f = hn::LoadU(corners, corner + 3 * PieceOutline::kCorners + k);
+    for (int i = 0; i < 3; ++i)
+    {
+      f = hn::MulAdd(hn::Set(corners, static_cast<float>(2.0 * r[i])),
+        hn::LoadU(corners, corner + i * PieceOutline::kCorners + k), f);
+    }
+    hn::StoreU(f, corners, value + k);
+  }
+  for (int k = 0; k < PieceOutline::kCorners; ++k)
+  {
+    const double at = away + error + static_cast<double>(value[k]);
+    if (at < this->SquaredBound)
+    {
+      this->bound_by(this->at(index), { { k / 2 * 1.0, k % 2 * 1.0 } }, at);
+    }
+  }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace footpoint
+HWY_AFTER_NAMESPACE();
+
+#endif
