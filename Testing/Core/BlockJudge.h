@@ -91,7 +91,10 @@ struct Counts
   int pieces = 0;
   int blocks = 0;
   int queries = 0;
-  int reached = 0; ///< where the least distance is below by more than half of what the bound allows
+  /// Where the least distance is below by more than half of what the bound allows, or would where there
+  /// is no curvature: a tenth of it.
+  int reached = 0;
+  int reached_flat = 0;
 };
 
 /// A foot, and S − P there.
@@ -215,7 +218,9 @@ inline void judge_foot(Random& random, const std::vector<Piece>& pieces,
     }
   }
   ++counts.queries;
-  counts.reached += allowed > 10.0L * rounding * distance && -least > 0.5L * allowed;
+  const bool counted = allowed > 10.0L * rounding * distance;
+  counts.reached += counted && -least > 0.5L * allowed;
+  counts.reached_flat += counted && -least > 0.05L * allowed;
   EXPECT_GE(least, -allowed - rounding * (2.0L * distance + rounding))
     << "piece " << index << " at " << foot.t[0] << ' ' << foot.t[1] << ", distance " << distance
     << ", limit " << around.limit << ", allowed " << allowed;

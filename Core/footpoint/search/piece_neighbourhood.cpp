@@ -20,6 +20,9 @@ namespace
 /// What a piece of a block has to reach of the mean speed, along the way to any of its points: far
 /// below it the limit is too small to be of use.
 constexpr double kLeastSpeed = 0.25;
+/// So much of the distance that the derivation allows is used; what is left bounds what a gradient left
+/// over does, which is next to nothing.
+constexpr double kPartOfLimit = 0.9;
 /// Below this speed a rational piece is looked at more sharply, at about the price of its bounds:
 /// the limit goes with the square, and can gain by more than four.
 constexpr double kUnsharp = 0.5;
@@ -32,8 +35,8 @@ constexpr double kSlowest = 0x1p-60;
 constexpr int kGreatestExponent = 430;
 /// What a foot's gradient is off where its last step was Taylor's expansion, for a step of 1e-7 and
 /// degrees p + q = 1, as a part of the piece's reach: ½ step² |S'''| |r| with |S'''| ≤ 2 (p + q)
-/// |S''| and |S''| |r| ≤ m² / 2, in units that are as long as 8 (p + q) times the reach.
-constexpr double kExpansion = 0x1p-43;
+/// |S''| and |S''| |r| ≤ m², in units that are as long as 8 (p + q) times the reach.
+constexpr double kExpansion = 0x1p-42;
 
 /// The nets lie far apart in memory: so many pieces ahead of its use the start of one, in numbers,
 /// is asked for.
@@ -321,8 +324,9 @@ private:
       steepness += shape.degree[i] * units.length * piece.reach * inverse;
     }
     result.limit =
-      std::min(speed * speed / (2.0 * bend) * kDown, BlockFrame::kLongest) / units.length;
-    result.square_factor = static_cast<float>(2.0 / (speed * speed) * kUp);
+      std::min(kPartOfLimit * speed * speed / bend * kDown, BlockFrame::kLongest) / units.length;
+    result.square_factor =
+      static_cast<float>(1.0 / ((1.0 - kPartOfLimit) * speed * speed) * kUp);
     const double degrees = shape.degree[0] + shape.degree[1];
     const double weights = piece.greatest_weight / piece.least_weight; // the square of their ratio
     result.rounding = static_cast<float>(weights *

@@ -30,8 +30,8 @@ struct PieceNeighbourhood
   float square_factor;
   /// Rounding of the gradient, a part of the coordinates.
   float rounding;
-  /// Distance up to which the foot is the nearest of the block: half of what the derivation allows,
-  /// so that the other half bounds what a gradient left over does. Negative: nothing is known.
+  /// Distance up to which the foot is the nearest of the block: nine tenths of what the derivation
+  /// allows, so that the rest bounds what a gradient left over does. Negative: nothing is known.
   double limit;
   /// |S − f|² ≥ metric[0] Δu² + 2 metric[1] Δu Δv + metric[2] Δv² for two points S, f of the piece itself
   /// that are Δ apart in its parameters. Zeros: nothing is known.
