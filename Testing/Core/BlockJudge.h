@@ -25,15 +25,15 @@ using Pair = std::array<Real, 2>;
 
 // === Pieces in long double, from their nets alone
 
-/// Bernstein polynomials of degree n, and their derivatives.
+/// Bernstein polynomials of degree n < 12, and their derivatives.
 struct Basis
 {
-  std::array<Real, 8> value{};
-  std::array<Real, 8> slope{};
+  std::array<Real, 12> value{};
+  std::array<Real, 12> slope{};
 
   Basis(int n, Real t)
   {
-    std::array<Real, 8> lower{};
+    std::array<Real, 12> lower{};
     this->value[0] = 1.0L;
     for (int degree = 1; degree <= n; ++degree)
     {

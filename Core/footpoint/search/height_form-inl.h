@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -283,8 +284,10 @@ private:
     const double most_c = 0.5 * at(0, 2);
     // With the mixed coefficient all of its error is taken away.
     const double b = (error - at(1, 1)) * (1.0 + 8.0 * kRounding);
-    const double least = b * b * (0.25 * n * m / ((n - 1.0) * (m - 1.0)));
-    const double most = most_a * most_c;
+    // Beyond the range of double precision on the safe side, so that the part is not too small.
+    const double least = std::max(
+      b * b * (0.25 * n * m / ((n - 1.0) * (m - 1.0))), std::numeric_limits<double>::min());
+    const double most = std::min(most_a * most_c, std::numeric_limits<double>::max());
     if (!(b > 0.0 && most_a > 0.0 && most_c > 0.0 && least < most))
     {
       return false;
