@@ -25,19 +25,19 @@ using Pair = std::array<Real, 2>;
 
 // === Pieces in long double, from their nets alone
 
-/// Bernstein polynomials of degree n < 12, and their derivatives.
+/// Bernstein polynomials of degree n < 10, and their derivatives.
 struct Basis
 {
-  std::array<Real, 12> value{};
-  std::array<Real, 12> slope{};
+  std::array<Real, 10> value{};
+  std::array<Real, 10> slope{};
 
   Basis(int n, Real t)
   {
-    std::array<Real, 12> lower{};
+    std::array<Real, 10> lower{};
     this->value[0] = 1.0L;
     for (int degree = 1; degree <= n; ++degree)
     {
-      lower = this->value;
+      std::copy_n(this->value.begin(), degree, lower.begin());
       for (int k = 0; k <= degree; ++k)
       {
         this->value[k] =
@@ -135,7 +135,9 @@ inline Real least_excess(const Piece& piece, const Foot& foot)
       look({ { i / Real(kSamples), j / Real(kSamples) } });
     }
   }
-  for (Real step = 0.5L / kSamples; step > 1e-7L;)
+  constexpr int kMostRounds = 100; // along narrow valleys it would take many more
+  Real step = 0.5L / kSamples;
+  for (int round = 0; step > 1e-7L && round < kMostRounds; ++round)
   {
     bool better = false;
     for (int k = curve ? 2 : 0; k < 4; ++k)
