@@ -27,7 +27,7 @@ inline Eigen::Matrix3d random_turn(Random& random)
   return Eigen::AngleAxisd(random.uniform(0.0, 6.0), axis.normalized()).toRotationMatrix();
 }
 
-/// \param count  of the control points along u and v
+/// \param degrees of a curve: the second one
 /// \param decades of the size
 template <int N>
 Arrays<N> random_bezier(Random& random, const std::array<int, 2>& degrees, double decades,
@@ -103,6 +103,43 @@ inline std::array<int, 2> random_degrees(Random& random)
 {
   const int most = random.integer(0, 2) == 0 ? 9 : 4;
   return { { random.integer(0, 3) == 0 ? 0 : random.integer(1, most), random.integer(1, most) } };
+}
+
+/// A plane piece, or a straight curve where the first degree is 0, evenly parametrized: corner + s u + t v.
+inline footpoint::DistanceForms straight_piece(
+  const std::array<int, 2>& degrees, const Vector3& corner, const Vector3& u, const Vector3& v)
+{
+  const auto [p, q] = degrees;
+  Points net(3, (p + 1) * (q + 1));
+  for (int k = 0; k < net.cols(); ++k)
+  {
+    const double s = p > 0 ? static_cast<double>(k % (p + 1)) / p : 0.0;
+    net.col(k) = corner + s * u + static_cast<double>(k / (p + 1)) / q * v;
+  }
+  footpoint::DistanceForms forms(1);
+  const KnotVector knots(q, bezier_knots(q));
+  const std::array<std::array<bool, 2>, 2> none{};
+  if (p == 0)
+  {
+    forms.add(0, Curve(knots, net), Vector3::Zero(), none);
+  }
+  else
+  {
+    forms.add(0, Surface(KnotVector(p, bezier_knots(p)), knots, net), Vector3::Zero(), none);
+  }
+  return forms;
+}
+
+/// Parameters of a place on a piece, often on its sides.
+inline std::array<double, 2> random_place(Random& random, const footpoint::Piece& piece)
+{
+  std::array<double, 2> t{ { 0.0, 0.0 } };
+  for (int i = piece.shape->degree[0] == 0 ? 1 : 0; i < 2; ++i)
+  {
+    const int where = random.integer(0, 4);
+    t[i] = where < 2 ? where : random.uniform(0.0, 1.0);
+  }
+  return t;
 }
 
 } // namespace shapes

@@ -57,24 +57,13 @@ Vector normal_at(Random& random, const Piece& piece, const Pair& t)
   return normal.norm() > 0.0L ? Vector(normal.normalized()) : Vector(0.0L, 0.0L, 1.0L);
 }
 
-std::array<double, 2> random_place(Random& random, const Piece& piece)
-{
-  std::array<double, 2> t{ { 0.0, 0.0 } };
-  for (int i = piece.shape->degree[0] == 0 ? 1 : 0; i < 2; ++i)
-  {
-    const int where = random.integer(0, 4);
-    t[i] = where < 2 ? where : random.uniform(0.0, 1.0);
-  }
-  return t;
-}
-
 /// Nearly or far from orthogonal, from a thousandth of the piece's size up to where squares of its size
 /// are below the rounding.
 Case random_case(Random& random, const SearchStructure& structure, std::int32_t index)
 {
   const Piece& piece = structure.forms.pieces()[index];
   const PieceNeighbourhood& around = structure.neighbourhoods[index];
-  const std::array<double, 2> t = random_place(random, piece);
+  const std::array<double, 2> t = shapes::random_place(random, piece);
   Foot foot;
   foot.t = { { t[0], t[1] } };
   foot.place = evaluate(piece, foot.t);
@@ -186,14 +175,10 @@ Tally judge_parallelograms(double from, double to, bool orthogonal)
   {
     const Vector3 corner = random.vector(-1.0, 1.0);
     const Vector3 u = random.vector(-1.0, 1.0);
-    const Vector3 v = random.vector(-1.0, 1.0);
-    const footpoint::KnotVector knots(1, shapes::bezier_knots(1));
-    DistanceForms forms(1);
-    forms.add(0,
-      Surface(knots, knots, shapes::points({ corner, corner + u, corner + v, corner + u + v })),
-      Vector3::Zero(), kNoneSpecial);
+    const DistanceForms forms =
+      shapes::straight_piece({ { 1, 1 } }, corner, u, random.vector(-1.0, 1.0));
     const Piece& piece = forms.pieces()[0];
-    const std::array<double, 2> t = random_place(random, piece);
+    const std::array<double, 2> t = shapes::random_place(random, piece);
     const Real length = piece.reach * std::pow(10.0L, random.uniform(from, to));
     const Vector direction = orthogonal ? normal_at(random, piece, { { t[0], t[1] } })
                                         : Vector(random.vector(-1.0, 1.0).cast<Real>());
@@ -280,29 +265,13 @@ TEST(HeightForm, ProvesPlanes)
       Random random(10 * p + q);
       const Vector3 corner = random.vector(-1.0, 1.0);
       const Vector3 u = random.vector(-1.0, 1.0);
-      const Vector3 v = random.vector(-1.0, 1.0);
-      Points net(3, (p + 1) * (q + 1));
-      for (int k = 0; k < net.cols(); ++k)
-      {
-        const double i = p > 0 ? static_cast<double>(k % (p + 1)) / p : 0.0;
-        net.col(k) = corner + i * u + static_cast<double>(k / (p + 1)) / q * v;
-      }
-      DistanceForms forms(1);
-      const footpoint::KnotVector knots(q, shapes::bezier_knots(q));
-      if (p == 0)
-      {
-        forms.add(0, footpoint::Curve(knots, net), Vector3::Zero(), kNoneSpecial);
-      }
-      else
-      {
-        forms.add(0, Surface(footpoint::KnotVector(p, shapes::bezier_knots(p)), knots, net),
-          Vector3::Zero(), kNoneSpecial);
-      }
+      const DistanceForms forms =
+        shapes::straight_piece({ { p, q } }, corner, u, random.vector(-1.0, 1.0));
       const Piece& piece = forms.pieces()[0];
       const PieceNeighbourhood around = footpoint::find_neighbourhoods(forms.pieces())[0];
       for (int k = 0; k < 10; ++k)
       {
-        const std::array<double, 2> t = random_place(random, piece);
+        const std::array<double, 2> t = shapes::random_place(random, piece);
         const Vector normal = normal_at(random, piece, { { t[0], t[1] } });
         const Real length = random.magnitude(3.0);
         Case each = case_of(piece, 0, t, length * normal, around.metric);
@@ -401,95 +370,4 @@ TEST(HeightForm, FixedDegreesAnswerTheSame)
   expect_same_answers<1, 2>({ { 1, 2 } });
   expect_same_answers<0, 3>({ { 0, 3 } });
   expect_same_answers<0, -1>({ { 0, 5 } });
-}
-
-namespace
-{
-
-/// |S − f|² over the square form, at the least, of random pairs of points of a piece; infinite where the
-/// form is zero.
-Real least_ratio(
-  Random& random, const Piece& piece, const std::array<double, 3>& metric, int pairs)
-{
-  Real least = std::numeric_limits<Real>::infinity();
-  for (int k = 0; k < pairs; ++k)
-  {
-    const std::array<double, 2> a = random_place(random, piece);
-    std::array<double, 2> b = random_place(random, piece);
-    if (random.integer(0, 1) == 0)
-    {
-      for (int i = 0; i < 2; ++i)
-      {
-        b[i] = std::clamp(a[i] + 1e-3 * (b[i] - a[i]), 0.0, 1.0);
-      }
-    }
-    const Real du = static_cast<Real>(b[0]) - a[0];
-    const Real dv = static_cast<Real>(b[1]) - a[1];
-    const Real form = metric[0] * du * du + 2.0L * metric[1] * du * dv + metric[2] * dv * dv;
-    const Real length = (evaluate(piece, { { b[0], b[1] } }).point -
-      evaluate(piece, { { a[0], a[1] } }).point)
-                          .norm();
-    if (form > 0.0L)
-    {
-      least = std::min(least, length * length / form);
-    }
-  }
-  return least;
-}
-
-} // namespace
-
-TEST(PieceMetric, PointsAreNotNearerThanItSays)
-{
-  int pieces = 0;
-  int known = 0;
-  int sharp = 0;
-  const auto judge_pieces = [&](Random& random, const DistanceForms& forms)
-  {
-    const std::vector<PieceNeighbourhood> all = footpoint::find_neighbourhoods(forms.pieces());
-    for (int k = 0; k < 8; ++k)
-    {
-      const int index = random.integer(0, static_cast<int>(all.size()) - 1);
-      const Real ratio = least_ratio(random, forms.pieces()[index], all[index].metric, 20);
-      EXPECT_GE(ratio, 1.0L) << "piece " << index;
-      ++pieces;
-      known += ratio < std::numeric_limits<Real>::infinity();
-      sharp += ratio < 4.0L;
-    }
-  };
-  for (int seed = 0; seed < 300 / kShare; ++seed)
-  {
-    Random random(seed);
-    std::string description;
-    const Surface sheet = shapes::random_sheet(random, description).geometry();
-    SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
-    DistanceForms forms(random.integer(0, 1) == 0 ? 1 : 100);
-    forms.add(0, sheet, Vector3::Zero(), kNoneSpecial);
-    judge_pieces(random, forms);
-    DistanceForms curve(1);
-    curve.add(0, shapes::random_curve(random), Vector3::Zero(), kNoneSpecial);
-    judge_pieces(random, curve);
-    judge_pieces(random,
-      shapes::random_pieces(random, shapes::random_degrees(random), 60.0, description).forms);
-  }
-  EXPECT_GT(known, 0.65 * pieces);
-  EXPECT_GT(sharp, 0.55 * pieces);
-}
-
-TEST(PieceMetric, IsExactOfParallelograms)
-{
-  for (int seed = 0; seed < 50; ++seed)
-  {
-    Random random(seed);
-    const Vector3 u = random.vector(-1.0, 1.0);
-    const Vector3 v = random.vector(-1.0, 1.0);
-    const footpoint::KnotVector knots(1, shapes::bezier_knots(1));
-    DistanceForms forms(1);
-    forms.add(0, Surface(knots, knots, shapes::points({ Vector3::Zero(), u, v, u + v })),
-      Vector3::Zero(), kNoneSpecial);
-    const std::array<double, 3> metric = footpoint::find_neighbourhoods(forms.pieces())[0].metric;
-    EXPECT_NEAR(metric[0], u.dot(u), 1e-5 * u.dot(u));
-    EXPECT_NEAR(metric[1], u.dot(v), 1e-5 * u.norm() * v.norm());
-    EXPECT_NEAR(metric[2], v.dot(v), 1e-5 * v.dot(v));
-  }
 }

@@ -7,9 +7,7 @@
 #include "RandomSheets.h"
 #include "SlowBuild.h"
 
-using footpoint::KnotVector;
 using footpoint::PieceOutline;
-using footpoint::Points;
 using footpoint::SearchStructure;
 using footpoint::Surface;
 using footpoint::Vector3;
@@ -225,24 +223,8 @@ TEST(PieceOutlines, SquareFormsOfStraightPieces)
     {
       const Vector3 u = p > 0 ? random.vector(-1.0, 1.0) : Vector3(Vector3::Zero());
       const Vector3 v = random.vector(-1.0, 1.0);
-      Points net(3, (p + 1) * (q + 1));
-      for (int k = 0; k < net.cols(); ++k)
-      {
-        const double i = p > 0 ? static_cast<double>(k % (p + 1)) / p : 0.0;
-        net.col(k) = i * u + static_cast<double>(k / (p + 1)) / q * v;
-      }
-      DistanceForms forms(1);
-      const KnotVector knots(q, shapes::bezier_knots(q));
-      if (p == 0)
-      {
-        forms.add(0, footpoint::Curve(knots, net), Vector3::Zero(), kNoneSpecial);
-      }
-      else
-      {
-        forms.add(0, Surface(KnotVector(p, shapes::bezier_knots(p)), knots, net), Vector3::Zero(),
-          kNoneSpecial);
-      }
-      const SearchStructure structure(std::move(forms));
+      const SearchStructure structure(
+        shapes::straight_piece({ { p, q } }, Vector3::Zero(), u, v));
       const Piece& piece = structure.forms.pieces()[0];
       for (int k = 0; k < 10; ++k)
       {

@@ -82,8 +82,15 @@ public:
   bool is_plain(const Vector3& point, Foot& foot) const
   {
     const CertifiedAnswer found = this->answer(point);
-    return found.certified && found.count == 2 &&
-      this->Search.plain_kink_foot(found.feet[0], found.feet[1], foot);
+    if (!found.certified || found.count != 2)
+    {
+      return false;
+    }
+    Foot other;
+    const bool in_turn = this->Search.plain_kink_foot(found.feet[1], found.feet[0], other);
+    const bool is_plain = this->Search.plain_kink_foot(found.feet[0], found.feet[1], foot);
+    EXPECT_EQ(in_turn, is_plain);
+    return is_plain;
   }
 
 private:
