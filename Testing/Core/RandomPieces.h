@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Random single Bézier patches and curves of any degree, size and weights, and what the search keeps of
-/// their pieces.
+/// Random single Bézier patches and curves of any degree, size and weights, and what the search
+/// keeps of their pieces.
 
 #include "Shapes.h"
 
@@ -30,8 +30,8 @@ inline Eigen::Matrix3d random_turn(Random& random)
 /// \param degrees of a curve: the second one
 /// \param decades of the size
 template <int N>
-Arrays<N> random_bezier(Random& random, const std::array<int, 2>& degrees, double decades,
-  std::string& description)
+Arrays<N> random_bezier(
+  Random& random, const std::array<int, 2>& degrees, double decades, std::string& description)
 {
   constexpr const char* kKinds[] = { "smooth", "bowl", "flat", "rough", "collapsed", "cuspidal" };
   const std::string kind = kKinds[random.integer(0, 5)];
@@ -57,8 +57,7 @@ Arrays<N> random_bezier(Random& random, const std::array<int, 2>& degrees, doubl
     {
       // A cusp has no derivative at its start.
       const double x = nu == 1 ? 0.0 : static_cast<double>(i) / (nu - 1);
-      const double y =
-        kind == "cuspidal" && j == 1 ? 0.0 : static_cast<double>(j) / (nv - 1);
+      const double y = kind == "cuspidal" && j == 1 ? 0.0 : static_cast<double>(j) / (nv - 1);
       Vector3 point(stretch * (x + shear * y), y, 0.0);
       point += shake / std::max(nu, nv) * random.vector(-1.0, 1.0);
       point[2] += kind == "bowl" ? 0.3 * (x * x + y * y + shear * x * y) : 0.0;
@@ -80,20 +79,20 @@ Arrays<N> random_bezier(Random& random, const std::array<int, 2>& degrees, doubl
 
 /// The pieces of such a patch, or of a curve where the first degree is 0: one, or several where its
 /// weights are uneven.
-inline footpoint::SearchStructure random_pieces(Random& random, const std::array<int, 2>& degrees,
-  double decades, std::string& description)
+inline footpoint::SearchStructure random_pieces(
+  Random& random, const std::array<int, 2>& degrees, double decades, std::string& description)
 {
   footpoint::DistanceForms forms(1);
   const std::array<std::array<bool, 2>, 2> none{};
   if (degrees[0] == 0)
   {
-    forms.add(0, random_bezier<1>(random, degrees, decades, description).geometry(),
-      Vector3::Zero(), none);
+    forms.add(
+      0, random_bezier<1>(random, degrees, decades, description).geometry(), Vector3::Zero(), none);
   }
   else
   {
-    forms.add(0, random_bezier<2>(random, degrees, decades, description).geometry(),
-      Vector3::Zero(), none);
+    forms.add(
+      0, random_bezier<2>(random, degrees, decades, description).geometry(), Vector3::Zero(), none);
   }
   return footpoint::SearchStructure(std::move(forms));
 }
@@ -105,7 +104,8 @@ inline std::array<int, 2> random_degrees(Random& random)
   return { { random.integer(0, 3) == 0 ? 0 : random.integer(1, most), random.integer(1, most) } };
 }
 
-/// A plane piece, or a straight curve where the first degree is 0, evenly parametrized: corner + s u + t v.
+/// A plane piece, or a straight curve where the first degree is 0, evenly parametrized: corner + s
+/// u + t v.
 inline footpoint::DistanceForms straight_piece(
   const std::array<int, 2>& degrees, const Vector3& corner, const Vector3& u, const Vector3& v)
 {

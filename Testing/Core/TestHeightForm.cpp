@@ -22,15 +22,16 @@ namespace
 
 constexpr int kShare = kSlowBuild ? 8 : 1;
 
-/// A foot rounded to double precision. The form speaks of the query for which its r is exact: S(t) − r.
+/// A foot rounded to double precision. The form speaks of the query for which its r is exact: S(t)
+/// − r.
 struct Case
 {
   Foot foot;
   HeightView view;
 };
 
-Case case_of(const Piece& piece, std::int32_t index, const std::array<double, 2>& t, const Vector& r,
-  const std::array<double, 3>& metric)
+Case case_of(const Piece& piece, std::int32_t index, const std::array<double, 2>& t,
+  const Vector& r, const std::array<double, 3>& metric)
 {
   Case result;
   result.foot.piece = index;
@@ -57,8 +58,8 @@ Vector normal_at(Random& random, const Piece& piece, const Pair& t)
   return normal.norm() > 0.0L ? Vector(normal.normalized()) : Vector(0.0L, 0.0L, 1.0L);
 }
 
-/// Nearly or far from orthogonal, from a thousandth of the piece's size up to where squares of its size
-/// are below the rounding.
+/// Nearly or far from orthogonal, from a hundredth of the piece's size up to where squares of its
+/// size are below the rounding.
 Case random_case(Random& random, const SearchStructure& structure, std::int32_t index)
 {
   const Piece& piece = structure.forms.pieces()[index];
@@ -67,8 +68,7 @@ Case random_case(Random& random, const SearchStructure& structure, std::int32_t 
   Foot foot;
   foot.t = { { t[0], t[1] } };
   foot.place = evaluate(piece, foot.t);
-  const Vector direction =
-    turned(random, around, foot, normal_at(random, piece, foot.t));
+  const Vector direction = turned(random, around, foot, normal_at(random, piece, foot.t));
   const double length = piece.reach * random.magnitude(random.integer(0, 4) == 0 ? 17.0 : 2.0);
   const std::array<double, 3> none{};
   return case_of(
@@ -128,8 +128,7 @@ void judge_case(const Piece& piece, Case each, Tally& tally)
     }
   }
   // What is asked for in earnest: a small part of the distance.
-  each.view.allowed =
-    static_cast<double>(1e-12L * (length_of(each) + piece.reach) * piece.reach);
+  each.view.allowed = static_cast<double>(1e-12L * (length_of(each) + piece.reach) * piece.reach);
   const bool proved = proves<-1, -1>(piece, each.view);
   const bool nearest = least >= -rounding;
   tally.nearest += nearest;
@@ -183,8 +182,8 @@ Tally judge_parallelograms(double from, double to, bool orthogonal)
     const Vector direction = orthogonal ? normal_at(random, piece, { { t[0], t[1] } })
                                         : Vector(random.vector(-1.0, 1.0).cast<Real>());
     judge_case(piece,
-      case_of(piece, 0, t, length * direction,
-        footpoint::find_neighbourhoods(forms.pieces())[0].metric),
+      case_of(
+        piece, 0, t, length * direction, footpoint::find_neighbourhoods(forms.pieces())[0].metric),
       tally);
   }
   return tally;

@@ -16,10 +16,9 @@ namespace
 
 constexpr int kShare = kSlowBuild ? 8 : 1;
 
-/// |S − f|² over the square form, at the least, of random pairs of points of a piece; infinite where the
-/// form is zero.
-Real least_ratio(
-  Random& random, const Piece& piece, const std::array<double, 3>& metric, int pairs)
+/// |S − f|² over the square form, at the least, of random pairs of points of a piece; infinite
+/// where the form is zero.
+Real least_ratio(Random& random, const Piece& piece, const std::array<double, 3>& metric, int pairs)
 {
   Real least = std::numeric_limits<Real>::infinity();
   for (int k = 0; k < pairs; ++k)
@@ -36,9 +35,9 @@ Real least_ratio(
     const Real du = static_cast<Real>(b[0]) - a[0];
     const Real dv = static_cast<Real>(b[1]) - a[1];
     const Real form = metric[0] * du * du + 2.0L * metric[1] * du * dv + metric[2] * dv * dv;
-    const Real length = (evaluate(piece, { { b[0], b[1] } }).point -
-      evaluate(piece, { { a[0], a[1] } }).point)
-                          .norm();
+    const Real length =
+      (evaluate(piece, { { b[0], b[1] } }).point - evaluate(piece, { { a[0], a[1] } }).point)
+        .norm();
     if (form > 0.0L)
     {
       least = std::min(least, length * length / form);

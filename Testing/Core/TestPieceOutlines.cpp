@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What outlines say of the distances of pieces: judged by samples in long double, from the nets alone.
+/// What outlines say of the distances of pieces: judged by samples in long double, from the nets
+/// alone.
 
 #include "BlockJudge.h"
 #include "RandomPieces.h"
@@ -61,8 +62,8 @@ Real least_squared(const Piece& piece, const Vector& point)
   return foot.r.dot(foot.r) + least_excess(piece, foot);
 }
 
-/// The square form of an outline at a place, over what it is multiplied with for rational pieces; from
-/// a_k alone.
+/// The square form of an outline at a place, over what it is multiplied with for rational pieces;
+/// from a_k alone.
 Real form_at(const Piece& piece, const PieceOutline& outline, const Pair& t)
 {
   const Basis u(piece.shape->degree[0], t[0]);
@@ -82,8 +83,8 @@ Real form_at(const Piece& piece, const PieceOutline& outline, const Pair& t)
   return sum / weight;
 }
 
-/// The numbers themselves: of the right places, no larger than said, and a square form that is neither
-/// negative nor above |S − c|².
+/// The numbers themselves: of the right places, no larger than said, and a square form that is
+/// neither negative nor above |S − c|².
 void judge_numbers(Random& random, const Piece& piece, const PieceOutline& outline)
 {
   const int p = piece.shape->degree[0];
@@ -107,8 +108,7 @@ void judge_numbers(Random& random, const Piece& piece, const PieceOutline& outli
     1e-14L * (piece.reach + middle.norm()));
   for (int k = 0; k < PieceOutline::kCorners; ++k)
   {
-    const Vector there =
-      evaluate(piece, { { k / 2 * 1.0L, k % 2 * 1.0L } }).point - middle;
+    const Vector there = evaluate(piece, { { k / 2 * 1.0L, k % 2 * 1.0L } }).point - middle;
     for (int c = 0; c < 3; ++c)
     {
       EXPECT_NEAR(corner(outline, c, k), there[c], single) << "corner " << k;
@@ -142,8 +142,7 @@ struct Tally
   int near = 0; ///< where the bound is above 0.8 times the least squared distance
 };
 
-void judge_query(
-  const Piece& piece, const PieceOutline& outline, const Vector& point, Tally& tally)
+void judge_query(const Piece& piece, const PieceOutline& outline, const Vector& point, Tally& tally)
 {
   const Vector r = middle_of(outline) - point;
   const Real error = error_of(outline, r);
@@ -223,8 +222,7 @@ TEST(PieceOutlines, SquareFormsOfStraightPieces)
     {
       const Vector3 u = p > 0 ? random.vector(-1.0, 1.0) : Vector3(Vector3::Zero());
       const Vector3 v = random.vector(-1.0, 1.0);
-      const SearchStructure structure(
-        shapes::straight_piece({ { p, q } }, Vector3::Zero(), u, v));
+      const SearchStructure structure(shapes::straight_piece({ { p, q } }, Vector3::Zero(), u, v));
       const Piece& piece = structure.forms.pieces()[0];
       for (int k = 0; k < 10; ++k)
       {
@@ -255,8 +253,7 @@ TEST(PieceOutlines, NoneBeyondSinglePrecision)
   int patch = 0;
   for (const double size : sizes)
   {
-    forms.add(patch++,
-      Surface(bumpy.knots(0), bumpy.knots(1), size * bumpy.local_control_points()),
+    forms.add(patch++, Surface(bumpy.knots(0), bumpy.knots(1), size * bumpy.local_control_points()),
       Vector3::Zero(), kNoneSpecial);
   }
   const SearchStructure structure(std::move(forms));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Feet on kinks, which are filled in from the derivatives on both sides: judged by brute force, by the
-/// surface on either side and by descents on the whole surface.
+/// Feet on kinks, which are filled in from the derivatives on both sides: judged by brute force, by
+/// the surface on either side and by descents on the whole surface.
 
 #include "Inversion.h"
 #include "SlowBuild.h"
@@ -74,8 +74,7 @@ public:
   {
     SearchWorkspace workspace;
     CertifiedAnswer answer;
-    this->Search.find(
-      point, std::numeric_limits<double>::infinity(), 1e-12, workspace, answer);
+    this->Search.find(point, std::numeric_limits<double>::infinity(), 1e-12, workspace, answer);
     return answer;
   }
   /// Whether a query's foot is filled in at once.
@@ -179,8 +178,7 @@ TEST(PlainFeet, OnKinksAreThoseOfBothSides)
       EXPECT_EQ(foot.face, 0);
       EXPECT_FALSE(foot.on_curve);
       EXPECT_GE(foot.iterations, 1);
-      const Vector3 normal =
-        (reversed ? -1.0 : 1.0) * mean_normal(surface, foot.parameter, across);
+      const Vector3 normal = (reversed ? -1.0 : 1.0) * mean_normal(surface, foot.parameter, across);
       EXPECT_LE((foot.direction - normal).norm(), 1e-9);
       EXPECT_EQ(foot.signed_distance < 0.0, (query - foot.point).dot(normal) < 0.0);
       EXPECT_NEAR(foot.distance, (query - foot.point).norm(), 1e-14 * surface.size());
