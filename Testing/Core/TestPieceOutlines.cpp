@@ -113,7 +113,8 @@ void judge_numbers(Random& random, const Piece& piece, const PieceOutline& outli
     {
       EXPECT_NEAR(corner(outline, c, k), there[c], single) << "corner " << k;
     }
-    EXPECT_NEAR(corner(outline, 3, k), there.dot(there), 0x1p-23L * outline.greatest)
+    // Two roundings of x and one of the sum.
+    EXPECT_NEAR(corner(outline, 3, k), there.dot(there), 0x1p-22L * outline.greatest)
       << "corner " << k;
     EXPECT_GE(outline.greatest, corner(outline, 3, k));
   }
