@@ -139,6 +139,56 @@ TEST(CertifiedSearch, OnePieceOfAnySize)
   }
 }
 
+/// Squares of single precision lose their digits, then all they are, far from the end of its own range.
+TEST(CertifiedSearch, BoxesWhoseSquaresAreTiny)
+{
+  constexpr int kFaces = 40;
+  for (const double scale : { 1e-18, 1e-19, 1e-20, 1e-21, 1e-22, 3e-23, 1e-23, 1e-25, 1e-40 })
+  {
+    SCOPED_TRACE(scale);
+    shapes::Random random(5);
+    footpoint::Model model;
+    std::vector<Vector3> corners;
+    for (int k = 0; k < kFaces; ++k)
+    {
+      // The unit square itself, so that its box is exact.
+      const Vector3 corner = random.vector(-3.0, 3.0);
+      corners.push_back(scale * corner);
+      Points net(3, 4);
+      for (int i = 0; i < 4; ++i)
+      {
+        net.col(i) = scale * (corner + Vector3(i % 2, i / 2, 0.0));
+      }
+      footpoint::Face face;
+      face.patches.push_back({ nullptr,
+        std::make_shared<Surface>(footpoint::KnotVector(1, { 0, 0, 1, 1 }, "KnotsU"),
+          footpoint::KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"), net) });
+      model.push_back(face);
+    }
+    const PointInverter inverter(model);
+    for (int k = 0; k < 500; ++k)
+    {
+      const Vector3 point = scale * random.vector(-4.0, 4.0);
+      long double nearest = std::numeric_limits<long double>::infinity();
+      for (const Vector3& corner : corners)
+      {
+        long double squared = 0.0L;
+        for (int i = 0; i < 3; ++i)
+        {
+          const long double side = i < 2 ? scale : 0.0;
+          const long double below = static_cast<long double>(corner(i)) - point(i);
+          const long double away = std::max({ below, -below - side, 0.0L });
+          squared += away * away;
+        }
+        nearest = std::min(nearest, std::sqrt(squared));
+      }
+      const footpoint::Foot foot = inverter.find(point);
+      EXPECT_EQ(foot.status, Status::Certified);
+      EXPECT_NEAR(foot.distance / scale, static_cast<double>(nearest / scale), 1e-10);
+    }
+  }
+}
+
 TEST(CertifiedSearch, HugeAndTinySizes)
 {
   for (const Surface& surface : { shapes::bumpy(12, 3, 0.3), shapes::cylinder() })

@@ -10,8 +10,9 @@
 namespace footpoint
 {
 
-/// A hierarchy of axis-parallel boxes, sixteen children a node, so that a few vector operations ask all
-/// of them and there are few levels, one of which waits for the other. Corners are kept in single precision, rounded outward. Built once; const.
+/// A hierarchy of axis-parallel boxes, sixteen children a node: a few vector operations ask all of
+/// them, and there are few levels, each of which waits for the one before. Corners are kept in single
+/// precision, rounded outward. Built once; const.
 class BoxTree
 {
 public:

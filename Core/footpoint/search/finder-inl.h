@@ -74,7 +74,7 @@ constexpr int kMostVisited = 4;
 /// Which of the numbers of a node's children are at most a limit, one bit each.
 HWY_INLINE unsigned at_most(const float* values, float limit)
 {
-  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  const hn::CappedTag<float, 8> tag; // whose bits are one byte
   const auto wanted = hn::Set(tag, limit);
   unsigned result = 0;
   for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))

@@ -46,9 +46,10 @@ struct HeightView
 /// corner all coefficients of what is left after a square form that is positive and has the same mixed
 /// coefficient at that corner have to be positive; in other cells all coefficients.
 ///
-/// Rounding: a coefficient of 2 r·(N − w f) is off by (16 + roundings) u |r| × reach × max w at the most, of
-/// which the second part is that of f; one of the square form by 32 u (a + 2|b| + c); cutting at s adds
-/// 4 n u × the greatest coefficient.
+/// Rounding: a coefficient of 2 r·(N − w f) is off by 2 (16 + roundings × max w / min w) u |r| × reach × max w
+/// at the most, of which the second part is that of f; one of the square form by 32 u (a + 2|b| + c);
+/// cutting at s adds 4 (n + 1) u × the greatest coefficient. min w is the root of the smallest coefficient of
+/// w², which at a corner is a square rounded once.
 ///
 /// \tparam P, Q degrees of the piece; −1: any
 template <int P, int Q>
@@ -77,7 +78,8 @@ public:
 
 private:
   static constexpr int kWidth = 4;
-  static constexpr int kMostColumns = ((Q < 0 ? kMaximumDegree : Q == 1 ? 2 : Q) + kWidth) / kWidth * kWidth;
+  static constexpr int kMostColumns =
+    ((Q < 0 ? kMaximumDegree : Q == 1 ? 2 : Q) + kWidth) / kWidth * kWidth;
   static constexpr int kMostTests = 16; ///< cells; beyond that the distance form is the better way
 
   /// Where the foot is along a direction of a cell.
@@ -100,8 +102,9 @@ private:
   }
 
   /// Degrees of the form.
-  HWY_INLINE int n() const { return P == 1 ? 2 : P >= 0 ? P : std::max(this->Shape.degree[0], this->Shape.degree[0] > 0 ? 2 : 0); }
-  HWY_INLINE int m() const { return Q == 1 ? 2 : Q >= 0 ? Q : std::max(this->Shape.degree[1], 2); }
+  HWY_INLINE int n() const { return raised(P >= 0 ? P : this->Shape.degree[0]); }
+  HWY_INLINE int m() const { return raised(Q >= 0 ? Q : this->Shape.degree[1]); }
+  static constexpr int raised(int degree) { return degree == 1 ? 2 : degree; }
   /// Numbers from one row to the next; the last one is repeated.
   HWY_INLINE int stride() const { return (this->m() + kWidth) / kWidth * kWidth; }
   /// Numbers of a cell.
@@ -197,9 +200,10 @@ private:
     cells[0].cuts = 0;
     for (int i = 0; i < 2; ++i)
     {
-      cells[0].foot[i] = this->T[i] <= 0.0 ? FootAt::Start
-        : this->T[i] >= 1.0                ? FootAt::End
-                                           : FootAt::Middle;
+      const bool is_line = i == 0 && this->n() == 0; // of a curve, whose first parameter is none
+      cells[0].foot[i] = is_line || this->T[i] <= 0.0 ? FootAt::Start
+        : this->T[i] >= 1.0                           ? FootAt::End
+                                                      : FootAt::Middle;
     }
     int left = 1;
     for (int tests = 0; left > 0; ++tests)
@@ -282,8 +286,12 @@ private:
     { return f[(ends[0] ? n - i : i) * stride + (ends[1] ? m - j : j)]; };
     const double most_a = 0.5 * at(2, 0);
     const double most_c = 0.5 * at(0, 2);
-    // With the mixed coefficient all of its error is taken away.
-    const double b = (error - at(1, 1)) * (1.0 + 8.0 * kRounding);
+    // With the mixed coefficient all of its error is taken away, and the rounding of what is.
+    const double mixed = at(1, 1);
+    const double allowance = error +
+      8.0 * kRounding *
+        (std::abs(most_a) * n * n + std::abs(most_c) * m * m + std::abs(mixed) * n * m);
+    const double b = (allowance - mixed) * (1.0 + 8.0 * kRounding);
     // Beyond the range of double precision on the safe side, so that the part is not too small.
     const double least = std::max(
       b * b * (0.25 * n * m / ((n - 1.0) * (m - 1.0))), std::numeric_limits<double>::min());
@@ -300,7 +308,7 @@ private:
     for (int j = 0; j < stride; ++j)
     {
       const int k = ends[1] ? std::max(m - j, 0) : std::min(j, m);
-      along_v[j] = c * (k * (k - 1.0)) + error;
+      along_v[j] = c * (k * (k - 1.0)) + allowance;
       step_v[j] = b * k;
     }
     const hn::CappedTag<double, kWidth> tag;

@@ -23,6 +23,16 @@ namespace HWY_NAMESPACE
 namespace
 {
 
+/// Not above the square that was rounded: in relative terms, or, where it is that small, by the least normal
+/// number. What is beyond single precision is not nearer than its largest number.
+template <class D, class V>
+HWY_INLINE V rounded_inward(D tag, V squared)
+{
+  const auto smallest = hn::Set(tag, std::numeric_limits<float>::min());
+  const auto rounded = hn::Sub(hn::Mul(squared, hn::Set(tag, kInward)), smallest);
+  return hn::Min(hn::Max(rounded, hn::Zero(tag)), hn::Set(tag, kLargest));
+}
+
 /// Squared distances of the boxes of a node from the query, not too large.
 HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, float* squared) const
 {
@@ -38,9 +48,7 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, float* squared)
       const auto way = hn::Max(hn::Max(below, above), zero);
       sum = hn::MulAdd(way, way, sum);
     }
-    // What is beyond single precision is not nearer than that.
-    sum = hn::Min(hn::Mul(sum, hn::Set(tag, kInward)), hn::Set(tag, kLargest));
-    hn::StoreU(sum, tag, squared + k);
+    hn::StoreU(rounded_inward(tag, sum), tag, squared + k);
   }
 }
 
@@ -69,7 +77,7 @@ HWY_INLINE void Finder::visit(std::int32_t index)
       const auto twice = hn::Sub(below, above);
       middle = hn::MulAdd(twice, twice, middle);
     }
-    squared = hn::Min(hn::Mul(squared, hn::Set(tag, kInward)), largest);
+    squared = rounded_inward(tag, squared);
     hn::StoreU(squared, tag, visit.squared + k);
     hn::StoreU(hn::Min(hn::MulAdd(slight, middle, squared), largest), tag, visit.score + k);
   }

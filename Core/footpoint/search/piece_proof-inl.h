@@ -443,9 +443,11 @@ bool Finder::proves_by_height(
   const double distance = this->found() ? this->best().distance : this->Query.limit;
   // Both queries' distances, and their squares, may differ by as much. Where nothing was found there is
   // nothing within the limit for certain, without a tolerance.
-  const double left = (this->found() ? tolerance : 0.0) - 4.0 * this->moved(query);
+  const double moved = this->moved(query);
+  const double left = (this->found() ? tolerance : 0.0) - 4.0 * moved;
+  const double excess = this->excess_of(survivor) - 2.0 * moved * survivor.distance;
   return this->is_above(query, point, survivor.offset.data(), survivor.t,
-    this->excess_of(survivor) + left * (2.0 * distance - left));
+    excess + left * (2.0 * distance - left));
 }
 
 double Finder::tolerance_of(const Piece& piece) const

@@ -221,8 +221,8 @@ bool Finder::excludes_by_height(const PieceQuery& query, const Pair& t)
   place.t = t;
   evaluate_at(query, place);
   const double reach = this->reach() + query.piece->error + 2.0 * this->moved(query);
-  return this->is_above(
-    query, place.jet[kS], place.r, place.t, place.squared - reach * reach * kOutward);
+  return this->is_above(query, place.jet[kS], place.r, place.t,
+    place.squared * (1.0 - 16.0 * kRounding) - reach * reach * kOutward);
 }
 
 void Finder::descend_from_nearest()
