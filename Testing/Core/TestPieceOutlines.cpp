@@ -6,7 +6,6 @@
 #include "BlockJudge.h"
 #include "RandomPieces.h"
 #include "RandomSheets.h"
-#include "SlowBuild.h"
 
 using footpoint::PieceOutline;
 using footpoint::SearchStructure;
@@ -16,8 +15,6 @@ using namespace blocks;
 
 namespace
 {
-
-constexpr int kShare = kSlowBuild ? 8 : 1;
 
 /// One of the numbers of an outline: x, y, z, a of all k or x, y, z, |x|² of all corners.
 Real number(const PieceOutline& outline, int which, int k)
@@ -181,7 +178,7 @@ void judge(Random& random, const SearchStructure& structure, int pieces, Tally& 
 TEST(PieceOutlines, NothingIsNearerThanTheySay)
 {
   Tally tally;
-  for (int seed = 0; seed < 500 / kShare; ++seed)
+  for (int seed = 0; seed < 500; ++seed)
   {
     Random random(seed);
     std::string description;
@@ -197,7 +194,7 @@ TEST(PieceOutlines, OfSheetsAndCurvesTogether)
 {
   // Patches of several degrees, with several pieces each, far from the origin and from each other.
   Tally tally;
-  for (int seed = 0; seed < 100 / kShare; ++seed)
+  for (int seed = 0; seed < 100; ++seed)
   {
     Random random(seed);
     std::string description;
