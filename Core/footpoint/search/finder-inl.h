@@ -46,14 +46,12 @@ constexpr int kMostHalvings = 100;
 /// piece's size. Farther away another piece may well be nearer, and a bound is what is wanted.
 constexpr double kNearPiece = 0.25;
 
-constexpr float kLargest = std::numeric_limits<float>::max();
-
 /// 2^32 boxes are eight levels, and a last one that is not full.
 constexpr int kMostLevels = 10;
 /// Ways down the tree beside the first one, each to what is nearer by more than this factor of the
 /// squared distance.
 constexpr int kMostWaysDown = 3;
-constexpr float kMuchNearer = 0.5F;
+constexpr double kMuchNearer = 0.5;
 
 /// Memory for so many candidates or survivors is kept from query to query.
 constexpr std::size_t kMostKept = 4096;
@@ -72,9 +70,9 @@ constexpr double kFarthest = 1e18;
 constexpr int kMostVisited = 4;
 
 /// Which of the numbers of a node's children are at most a limit, one bit each.
-HWY_INLINE unsigned at_most(const float* values, float limit)
+HWY_INLINE unsigned at_most(const double* values, double limit)
 {
-  const hn::CappedTag<float, 8> tag; // whose bits are one byte
+  const hn::CappedTag<double, 8> tag; // whose bits are one byte
   const auto wanted = hn::Set(tag, limit);
   unsigned result = 0;
   for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
@@ -95,12 +93,7 @@ struct Slopes
   double greatest; ///< and the greatest of the coefficients, by magnitude
 };
 
-/// The squared distance of a box is rounded a few times in single precision, in relative terms, after
-/// the query was rounded to where it is nearer.
-constexpr float kInward = 1.0F - 0x1p-20F;
-/// Rounds up to single precision.
-constexpr double kUpward = 1.0 + 0x1p-22;
-/// Roundings of double precision.
+/// The squared distance of a box is rounded a few times, in relative terms.
 constexpr double kOutward = 1.0 + 32.0 * kRounding;
 
 /// Edges of trimmed faces are proved for this part of the tolerance, so that what is left of it is
@@ -125,11 +118,6 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       this->P[k] = query.point(k);
-      const auto rounded = static_cast<float>(
-        std::min(std::max(this->P[k], -static_cast<double>(kLargest)), static_cast<double>(kLargest)));
-      const float step = std::abs(rounded) * 0x1p-23F + std::numeric_limits<float>::min();
-      this->Below[k] = rounded - step;
-      this->Above[k] = rounded + step;
     }
     this->Bound = query.limit;
     this->SquaredBound = query.limit * query.limit;
@@ -218,14 +206,14 @@ private:
 
   // === The search ===
 
-  void box_distances(const BoxTree::Node& node, float* squared) const;
+  void box_distances(const BoxTree::Node& node, double* squared) const;
   struct Visit;
   /// A child of a visited node that is a piece.
   struct Leaf
   {
     int visit;
     int child;
-    float squared; ///< distance of the box
+    double squared; ///< distance of the box
   };
   void visit(std::int32_t index);
   int nearest_child(const Visit& visit) const;
@@ -342,15 +330,13 @@ private:
   SearchWorkspace::Finds& Finds;
   CertifiedAnswer& Answer;
   double P[3];
-  float Below[3]; ///< P in single precision, not above and …
-  float Above[3]; ///< … not below it
   double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
   double SquaredBound = kInfinity;
   /// A node on the ways that begin() went down the tree, and the children that it went on with.
   struct Visit
   {
-    HWY_ALIGN float squared[BoxTree::kWidth];
-    HWY_ALIGN float score[BoxTree::kWidth];
+    HWY_ALIGN double squared[BoxTree::kWidth];
+    HWY_ALIGN double score[BoxTree::kWidth];
     std::int32_t node;
     unsigned followed;
   };

@@ -23,32 +23,25 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// Not above the square that was rounded: in relative terms, or, where it is that small, by the least normal
-/// number. What is beyond single precision is not nearer than its largest number.
-template <class D, class V>
-HWY_INLINE V rounded_inward(D tag, V squared)
+/// Squared distances of the boxes of a node from the query. Double precision: far away the boxes differ by
+/// less than single precision tells.
+HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared) const
 {
-  const auto smallest = hn::Set(tag, std::numeric_limits<float>::min());
-  const auto rounded = hn::Sub(hn::Mul(squared, hn::Set(tag, kInward)), smallest);
-  return hn::Min(hn::Max(rounded, hn::Zero(tag)), hn::Set(tag, kLargest));
-}
-
-/// Squared distances of the boxes of a node from the query, not too large.
-HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, float* squared) const
-{
-  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  const hn::CappedTag<double, 8> tag;
+  const hn::Rebind<float, decltype(tag)> single;
   const auto zero = hn::Zero(tag);
   for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
   {
     auto sum = zero;
     for (int i = 0; i < 3; ++i)
     {
-      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), hn::Set(tag, this->Above[i]));
-      const auto above = hn::Sub(hn::Set(tag, this->Below[i]), hn::LoadU(tag, node.upper[i] + k));
-      const auto way = hn::Max(hn::Max(below, above), zero);
+      const auto p = hn::Set(tag, this->P[i]);
+      const auto lower = hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k));
+      const auto upper = hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k));
+      const auto way = hn::Max(hn::Max(hn::Sub(lower, p), hn::Sub(p, upper)), zero);
       sum = hn::MulAdd(way, way, sum);
     }
-    hn::StoreU(rounded_inward(tag, sum), tag, squared + k);
+    hn::StoreU(sum, tag, squared + k);
   }
 }
 
@@ -56,10 +49,10 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, float* squared)
 /// told apart by their middles.
 HWY_INLINE void Finder::visit(std::int32_t index)
 {
-  const hn::CappedTag<float, BoxTree::kWidth> tag;
+  const hn::CappedTag<double, 8> tag;
+  const hn::Rebind<float, decltype(tag)> single;
   const auto zero = hn::Zero(tag);
-  const auto slight = hn::Set(tag, 1e-3F); // weight of the distance of the middle
-  const auto largest = hn::Set(tag, kLargest);
+  const auto slight = hn::Set(tag, 1e-3); // weight of the distance of the middle
   const BoxTree::Node& node = this->Structure.tree.nodes()[index];
   Visit& visit = this->Path[this->Depth++];
   visit.node = index;
@@ -70,31 +63,31 @@ HWY_INLINE void Finder::visit(std::int32_t index)
     auto middle = zero;
     for (int i = 0; i < 3; ++i)
     {
-      const auto below = hn::Sub(hn::LoadU(tag, node.lower[i] + k), hn::Set(tag, this->Above[i]));
-      const auto above = hn::Sub(hn::Set(tag, this->Below[i]), hn::LoadU(tag, node.upper[i] + k));
+      const auto p = hn::Set(tag, this->P[i]);
+      const auto below = hn::Sub(hn::PromoteTo(tag, hn::LoadU(single, node.lower[i] + k)), p);
+      const auto above = hn::Sub(p, hn::PromoteTo(tag, hn::LoadU(single, node.upper[i] + k)));
       const auto way = hn::Max(hn::Max(below, above), zero);
       squared = hn::MulAdd(way, way, squared);
       const auto twice = hn::Sub(below, above);
       middle = hn::MulAdd(twice, twice, middle);
     }
-    squared = rounded_inward(tag, squared);
     hn::StoreU(squared, tag, visit.squared + k);
-    hn::StoreU(hn::Min(hn::MulAdd(slight, middle, squared), largest), tag, visit.score + k);
+    hn::StoreU(hn::MulAdd(slight, middle, squared), tag, visit.score + k);
   }
 }
 
 /// The child that a way down follows.
 HWY_INLINE int Finder::nearest_child(const Visit& visit) const
 {
-  const hn::CappedTag<float, BoxTree::kWidth> tag;
-  auto least = hn::Set(tag, kLargest);
+  const hn::CappedTag<double, 8> tag;
+  auto least = hn::Set(tag, kInfinity);
   for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
   {
     least = hn::Min(least, hn::LoadU(tag, visit.score + k));
   }
   const unsigned nearest = at_most(visit.score, hn::GetLane(hn::MinOfLanes(tag, least))) &
     this->Structure.tree.nodes()[visit.node].present;
-  // The first one where scores are beyond the range of single precision.
+  // The first one where scores are beyond all bounds.
   return nearest != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(nearest)) : 0;
 }
 
@@ -120,9 +113,9 @@ bool Finder::begin()
   const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   Leaf leaf = this->go_down(0);
   // Where boxes overlap the way down may miss the one that holds the point.
-  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0F; ++more)
+  for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0; ++more)
   {
-    float least = kMuchNearer * leaf.squared;
+    double least = kMuchNearer * leaf.squared;
     int from = -1;
     int next = 0;
     for (int k = 0; k < this->Depth; ++k)
@@ -165,10 +158,10 @@ void Finder::collect()
   // Each level leaves all but one of its children behind.
   std::int32_t stack[BoxTree::kWidth * kMostLevels];
   int top = 0;
-  auto take = [&](const BoxTree::Node& node, const float* squared, unsigned except)
+  auto take = [&](const BoxTree::Node& node, const double* squared, unsigned except)
   {
     const double reach = this->reach();
-    const auto limit = static_cast<float>(std::min<double>(reach * reach * kUpward, kLargest));
+    const double limit = reach * reach * kOutward;
     unsigned hits = at_most(squared, limit) & node.present & ~except;
     for (; hits != 0; hits &= hits - 1)
     {
@@ -195,7 +188,7 @@ void Finder::collect()
     while (top > 0)
     {
       const BoxTree::Node& node = nodes[stack[--top]];
-      HWY_ALIGN float squared[BoxTree::kWidth];
+      HWY_ALIGN double squared[BoxTree::kWidth];
       this->box_distances(node, squared);
       take(node, squared, 0);
     }
@@ -214,7 +207,7 @@ void Finder::collect(std::int32_t index, double squared)
   }
   const double away = dot(r, r);
   const double length = bound_of_length(r);
-  double bound = squared;
+  double bound = squared / kOutward;
   if (outline.count == 0 || !(length <= kFarthest))
   {
     this->Finds.candidates.push_back({ index, bound });
