@@ -20,6 +20,15 @@ int padded(int count)
   return (count + 7) / 8 * 8;
 }
 
+/// Every row goes on with its entry n.
+void pad(std::vector<double>& rows, int n, int stride)
+{
+  for (std::size_t row = 0; row < rows.size(); row += stride)
+  {
+    std::fill(rows.begin() + row + n + 1, rows.begin() + row + stride, rows[row + n]);
+  }
+}
+
 /// Weights of the coefficients of a polynomial of degree n in those of its half.
 std::vector<double> halving_weights(int n, int end, int stride)
 {
@@ -33,13 +42,24 @@ std::vector<double> halving_weights(int n, int end, int stride)
       weights[(end == 0 ? k : j + k) * stride + j] = std::ldexp(row[k], -level);
     }
   }
-  for (int k = 0; k <= n; ++k)
+  pad(weights, n, stride);
+  return weights;
+}
+
+/// Weights of the coefficients of a polynomial of degree n in those of degree 2 n.
+std::vector<double> raising_weights(int n, int stride)
+{
+  std::vector<double> weights((n + 1) * stride, 0.0);
+  const std::vector<double> row = binomials(n);
+  const std::vector<double> raised = binomials(2 * n);
+  for (int j = 0; j <= 2 * n; ++j)
   {
-    for (int j = n + 1; j < stride; ++j)
+    for (int k = std::max(0, j - n); k <= std::min(n, j); ++k)
     {
-      weights[k * stride + j] = weights[k * stride + n];
+      weights[k * stride + j] = row[k] * row[j - k] / raised[j];
     }
   }
+  pad(weights, 2 * n, stride);
   return weights;
 }
 
@@ -174,7 +194,7 @@ PieceShape::PieceShape(int p, int q, bool is_rational)
   , stride(padded(columns))
   , net_size(padded(4 * (p + 1) * (q + 1)))
   , form_size(rows * stride)
-  , number_of_forms(is_rational ? 5 : 4)
+  , number_of_forms(is_rational ? 5 : 1)
   , roundings(3.0 * (p + 1) * (q + 1) + 32.0)
 {
   for (int end = 0; end < 2; ++end)
@@ -182,6 +202,7 @@ PieceShape::PieceShape(int p, int q, bool is_rational)
     this->halving[0][end] = halving_weights(2 * p, end, 2 * p + 1);
     this->halving[1][end] = halving_weights(2 * q, end, this->stride);
   }
+  this->raising = { { raising_weights(p, 2 * p + 1), raising_weights(q, this->stride) } };
 }
 
 const PieceShape* DistanceForms::shape_of(const Surface& surface)

@@ -33,13 +33,16 @@ struct PieceShape
   int stride;          ///< numbers from one row of a form to the next, a multiple of 8
   int net_size;        ///< numbers of the control net, padded to a multiple of 8
   int form_size;       ///< rows × stride
-  int number_of_forms; ///< Q, Wx, Wy, Wz and, if rational, W2
+  int number_of_forms; ///< Q; if rational also Wx, Wy, Wz and W2
   double
     roundings; ///< roundings (units of 2^-53) in the computed value of a form, see DistanceForms
   /// halving[i][end]: column k, row j is the weight of coefficient k in coefficient j of the half
   /// at that end (de Casteljau 1959), along direction i; columns are padded like rows of a form for
   /// the second direction.
   std::array<std::array<std::vector<double>, 2>, 2> halving;
+  /// raising[i]: column k, row j is the weight of coefficient k of a polynomial of the piece's degree
+  /// in coefficient j of a form (degree elevation; A. R. Forrest 1972), padded likewise.
+  std::array<std::vector<double>, 2> raising;
 
   PieceShape(int p, int q, bool is_rational);
 };
@@ -48,7 +51,7 @@ struct PieceShape
 struct Piece
 {
   const double* net;   ///< rows of (w·x, w·y, w·z, w)
-  const double* forms; ///< Q, Wx, Wy, Wz(, W2), one after the other
+  const double* forms; ///< Q and, if rational, Wx, Wy, Wz, W2, one after the other
   const PieceShape* shape;
   std::array<double, 3> origin; ///< in the model's centred coordinates
   double reach;                 ///< the largest distance of a control point from the origin
@@ -72,7 +75,9 @@ struct Piece
 ///
 /// N = w S being the homogeneous coordinates. F is affine in P, so its Bernstein coefficients are
 /// sums of stored ones; where all of them are positive, no point of the piece is nearer than √T
-/// (convex-hull property; T. W. Sederberg and T. Nishita 1990 for the idea).
+/// (convex-hull property; T. W. Sederberg and T. Nishita 1990 for the idea). Of polynomial pieces, whose
+/// W = N is the net itself raised to the degree of F, only Q is stored: a third of the memory, and
+/// memory is what large models wait for.
 ///
 /// Built once; const.
 class DistanceForms

@@ -70,15 +70,15 @@ struct Sums
       const auto bx = hn::LoadU(tag, shifted);
       const auto by = hn::LoadU(tag, shifted + stride);
       const auto bz = hn::LoadU(tag, shifted + 2 * stride);
-      const auto w = hn::Set(tag, a[3 * stride + j]);
       this->q = hn::MulAdd(hn::Set(tag, a[j]), bx, this->q);
       this->q = hn::MulAdd(hn::Set(tag, a[stride + j]), by, this->q);
       this->q = hn::MulAdd(hn::Set(tag, a[2 * stride + j]), bz, this->q);
-      this->x = hn::MulAdd(w, bx, this->x);
-      this->y = hn::MulAdd(w, by, this->y);
-      this->z = hn::MulAdd(w, bz, this->z);
       if (Rational)
       {
+        const auto w = hn::Set(tag, a[3 * stride + j]);
+        this->x = hn::MulAdd(w, bx, this->x);
+        this->y = hn::MulAdd(w, by, this->y);
+        this->z = hn::MulAdd(w, bz, this->z);
         this->w2 = hn::MulAdd(w, hn::LoadU(tag, shifted + 3 * stride), this->w2);
       }
     }
@@ -109,11 +109,11 @@ HWY_INLINE void multiply(
       const auto divisor = hn::LoadU(tag, divisors + row * shape.stride + column);
       double* to = target + column;
       hn::StoreU(hn::Mul(divisor, sums.q), tag, to);
-      hn::StoreU(hn::Mul(divisor, sums.x), tag, to + shape.form_size);
-      hn::StoreU(hn::Mul(divisor, sums.y), tag, to + 2 * shape.form_size);
-      hn::StoreU(hn::Mul(divisor, sums.z), tag, to + 3 * shape.form_size);
       if (Rational)
       {
+        hn::StoreU(hn::Mul(divisor, sums.x), tag, to + shape.form_size);
+        hn::StoreU(hn::Mul(divisor, sums.y), tag, to + 2 * shape.form_size);
+        hn::StoreU(hn::Mul(divisor, sums.z), tag, to + 3 * shape.form_size);
         hn::StoreU(hn::Mul(divisor, sums.w2), tag, to + 4 * shape.form_size);
       }
     }
