@@ -180,8 +180,9 @@ inline Vector turned(
 }
 
 /// No point of the block of a random foot is nearer than the bound says.
-inline void judge_foot(Random& random, const std::vector<Piece>& pieces,
-  const std::vector<PieceNeighbourhood>& all, std::int32_t index, double size, Counts& counts)
+inline void judge_foot(Random& random, const footpoint::AlignedVector<Piece>& pieces,
+  const footpoint::AlignedVector<PieceNeighbourhood>& all, std::int32_t index, double size,
+  Counts& counts)
 {
   const PieceNeighbourhood& around = all[index];
   const Piece& piece = pieces[index];
@@ -232,8 +233,8 @@ inline void judge_foot(Random& random, const std::vector<Piece>& pieces,
 inline void judge(
   Random& random, const DistanceForms& forms, double size, int queries, Counts& counts)
 {
-  const std::vector<Piece>& pieces = forms.pieces();
-  const std::vector<PieceNeighbourhood> all = footpoint::find_neighbourhoods(pieces);
+  const footpoint::AlignedVector<Piece>& pieces = forms.pieces();
+  const footpoint::AlignedVector<PieceNeighbourhood> all = footpoint::find_neighbourhoods(pieces);
   std::vector<std::int32_t> blocks;
   for (std::size_t k = 0; k < pieces.size(); ++k)
   {

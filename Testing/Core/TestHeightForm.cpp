@@ -149,7 +149,7 @@ TEST(HeightForm, NothingIsNearerThanItSays)
     const SearchStructure structure =
       shapes::random_pieces(random, shapes::random_degrees(random), 120.0, description);
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
-    const std::vector<Piece>& pieces = structure.forms.pieces();
+    const footpoint::AlignedVector<Piece>& pieces = structure.forms.pieces();
     for (int k = 0; k < 3; ++k)
     {
       const int index = random.integer(0, static_cast<int>(pieces.size()) - 1);
@@ -339,7 +339,7 @@ void expect_same_answers(const std::array<int, 2>& degrees)
     Random random(seed);
     std::string description;
     const SearchStructure structure = shapes::random_pieces(random, degrees, 60.0, description);
-    const std::vector<Piece>& pieces = structure.forms.pieces();
+    const footpoint::AlignedVector<Piece>& pieces = structure.forms.pieces();
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ": " << description);
     for (int k = 0; k < 20; ++k)
     {

@@ -133,11 +133,11 @@ void expect_to_scale(const Eigen::VectorXd& weights)
     forms.add(0, scaled, Vector3::Zero(), kNoneSpecial);
     return footpoint::find_neighbourhoods(forms.pieces());
   };
-  const std::vector<PieceNeighbourhood> all = neighbourhoods(0);
+  const footpoint::AlignedVector<PieceNeighbourhood> all = neighbourhoods(0);
   EXPECT_GT(all[12].limit, 0.0);
   for (const int exponent : { -400, -130, -30, 30, 130, 400 })
   {
-    const std::vector<PieceNeighbourhood> scaled = neighbourhoods(exponent);
+    const footpoint::AlignedVector<PieceNeighbourhood> scaled = neighbourhoods(exponent);
     for (std::size_t k = 0; k < all.size(); ++k)
     {
       EXPECT_EQ(scaled[k].pieces, all[k].pieces);

@@ -55,7 +55,8 @@ TEST(PieceMetric, PointsAreNotNearerThanItSays)
   int sharp = 0;
   const auto judge_pieces = [&](Random& random, const DistanceForms& forms)
   {
-    const std::vector<PieceNeighbourhood> all = footpoint::find_neighbourhoods(forms.pieces());
+    const footpoint::AlignedVector<PieceNeighbourhood> all =
+      footpoint::find_neighbourhoods(forms.pieces());
     for (int k = 0; k < 8; ++k)
     {
       const int index = random.integer(0, static_cast<int>(all.size()) - 1);

@@ -31,7 +31,7 @@ std::set<double> kinks(const KnotVector& knots)
 }
 
 /// The piece beyond an end that is as wide across, by looking at all of them.
-std::int32_t piece_beyond(const std::vector<Piece>& pieces, const Piece& piece, int i, int end)
+std::int32_t piece_beyond(const footpoint::AlignedVector<Piece>& pieces, const Piece& piece, int i, int end)
 {
   const double border = end == 0 ? piece.lower[i] : piece.upper[i];
   for (std::size_t k = 0; k < pieces.size(); ++k)
@@ -70,8 +70,8 @@ void expect_smooth(const Piece& here, const Piece& there, int i, int end, double
 /// Returns the number of pieces that were found beside others.
 int check_neighbours(const DistanceForms& forms, const Surface& surface)
 {
-  const std::vector<Piece>& pieces = forms.pieces();
-  const std::vector<PieceNeighbourhood> all = footpoint::find_neighbourhoods(pieces);
+  const footpoint::AlignedVector<Piece>& pieces = forms.pieces();
+  const footpoint::AlignedVector<PieceNeighbourhood> all = footpoint::find_neighbourhoods(pieces);
   const std::set<double> special[2] = { kinks(surface.knots(0)), kinks(surface.knots(1)) };
   int sides = 0;
   EXPECT_EQ(all.size(), pieces.size());

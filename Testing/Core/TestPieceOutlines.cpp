@@ -162,7 +162,7 @@ void judge_query(const Piece& piece, const PieceOutline& outline, const Vector& 
 
 void judge(Random& random, const SearchStructure& structure, int pieces, Tally& tally)
 {
-  const std::vector<Piece>& all = structure.forms.pieces();
+  const footpoint::AlignedVector<Piece>& all = structure.forms.pieces();
   for (int k = 0; k < pieces; ++k)
   {
     const int index = random.integer(0, static_cast<int>(all.size()) - 1);
@@ -255,7 +255,7 @@ TEST(PieceOutlines, NoneBeyondSinglePrecision)
       Vector3::Zero(), kNoneSpecial);
   }
   const SearchStructure structure(std::move(forms));
-  const std::vector<Piece>& pieces = structure.forms.pieces();
+  const footpoint::AlignedVector<Piece>& pieces = structure.forms.pieces();
   ASSERT_EQ(pieces.size(), 9U * 9U);
   Tally tally;
   for (std::size_t k = 0; k < pieces.size(); ++k)

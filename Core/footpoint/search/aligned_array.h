@@ -3,35 +3,43 @@
 
 #include <cstddef>
 #include <memory>
-#include <new>
 #include <type_traits>
+#include <vector>
 
 namespace footpoint
 {
 
 /// Memory that starts on a cache line, for vector loads. Its values are not set.
 ///
-/// Large arrays ask for huge pages where the system has them (Linux): first touching 90 MB in pages
+/// Large parts ask for huge pages where the system has them (Linux): first touching 90 MB in pages
 /// of 4 KB takes 40 ms, and a search that goes from piece to piece misses the address cache.
-class AlignedMemory
+void* allocate_aligned(std::size_t bytes);
+/// \param bytes with which it was allocated
+void free_aligned(void* memory, std::size_t bytes);
+
+/// Takes such memory for a container.
+template <class T>
+struct AlignedAllocator
 {
-public:
-  AlignedMemory() = default;
-  explicit AlignedMemory(std::size_t bytes);
+  using value_type = T;
 
-  void* data() const { return this->Data.get(); }
-
-private:
-  struct Delete
+  AlignedAllocator() = default;
+  template <class Other>
+  AlignedAllocator(const AlignedAllocator<Other>&)
   {
-    std::align_val_t alignment; ///< with which it was allocated
-    void operator()(void* data) const { ::operator delete(data, this->alignment); }
-  };
+  }
 
-  std::unique_ptr<void, Delete> Data;
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_aligned(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t count) { free_aligned(memory, count * sizeof(T)); }
+
+  friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
+  friend bool operator!=(const AlignedAllocator&, const AlignedAllocator&) { return false; }
 };
 
-/// Numbers in such memory.
+template <class T>
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+
+/// Numbers in such memory, not set either.
 template <class T>
 class AlignedArray
 {
@@ -40,18 +48,22 @@ class AlignedArray
 public:
   AlignedArray() = default;
   explicit AlignedArray(std::size_t count)
-    : Memory(count * sizeof(T))
-    , Count(count)
+    : Numbers(AlignedAllocator<T>().allocate(count), Free{ count })
   {
   }
 
-  T* data() { return static_cast<T*>(this->Memory.data()); }
-  const T* data() const { return static_cast<const T*>(this->Memory.data()); }
-  std::size_t size() const { return this->Count; }
+  T* data() { return this->Numbers.get(); }
+  const T* data() const { return this->Numbers.get(); }
+  std::size_t size() const { return this->Numbers.get_deleter().count; }
 
 private:
-  AlignedMemory Memory;
-  std::size_t Count = 0;
+  struct Free
+  {
+    std::size_t count = 0;
+    void operator()(T* numbers) const { AlignedAllocator<T>().deallocate(numbers, this->count); }
+  };
+
+  std::unique_ptr<T[], Free> Numbers;
 };
 
 } // namespace footpoint

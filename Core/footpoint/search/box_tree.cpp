@@ -24,7 +24,7 @@ float rounded_down(double value)
 class Builder
 {
 public:
-  Builder(const std::vector<Corners>& boxes, std::vector<BoxTree::Node>& nodes)
+  Builder(const std::vector<Corners>& boxes, AlignedVector<BoxTree::Node>& nodes)
     : Boxes(boxes)
     , Nodes(nodes)
   {
@@ -56,7 +56,7 @@ private:
   std::array<Range, 2> split(Range range, std::size_t multiple);
 
   const std::vector<Corners>& Boxes;
-  std::vector<BoxTree::Node>& Nodes;
+  AlignedVector<BoxTree::Node>& Nodes;
   std::vector<Item> Order;
 };
 

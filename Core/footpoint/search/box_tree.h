@@ -2,6 +2,7 @@
 #pragma once
 
 #include "footpoint/common/types.h"
+#include "footpoint/search/aligned_array.h"
 
 #include <array>
 #include <cstdint>
@@ -31,10 +32,10 @@ public:
   explicit BoxTree(const std::vector<std::array<Vector3, 2>>& boxes);
 
   /// The first is the root; none where there are no boxes.
-  const std::vector<Node>& nodes() const { return this->Nodes; }
+  const AlignedVector<Node>& nodes() const { return this->Nodes; }
 
 private:
-  std::vector<Node> Nodes;
+  AlignedVector<Node> Nodes;
 };
 
 } // namespace footpoint

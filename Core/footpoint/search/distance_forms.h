@@ -101,7 +101,7 @@ public:
   void add(std::int32_t patch, const EdgeCurve& edge, const EdgePieces& pieces,
     const Vector3& offset);
 
-  const std::vector<Piece>& pieces() const { return this->Pieces; }
+  const AlignedVector<Piece>& pieces() const { return this->Pieces; }
 
   /// Corners of the box of a piece's control points, in the model's centred coordinates.
   const std::vector<std::array<Vector3, 2>>& boxes() const { return this->Boxes; }
@@ -120,7 +120,7 @@ private:
   std::size_t FewPieces;
   std::vector<std::unique_ptr<PieceShape>> Shapes;
   std::vector<AlignedArray<double>> Numbers;
-  std::vector<Piece> Pieces;
+  AlignedVector<Piece> Pieces;
   std::vector<std::array<Vector3, 2>> Boxes;
 };
 

@@ -93,7 +93,7 @@ HWY_INLINE int Finder::nearest_child(const Visit& visit) const
 
 Finder::Leaf Finder::go_down(std::int32_t child)
 {
-  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  const AlignedVector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   for (;;)
   {
     this->visit(child);
@@ -110,7 +110,7 @@ Finder::Leaf Finder::go_down(std::int32_t child)
 
 bool Finder::begin()
 {
-  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  const AlignedVector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   Leaf leaf = this->go_down(0);
   // Where boxes overlap the way down may miss the one that holds the point.
   for (int more = 0; more < kMostWaysDown && leaf.squared > 0.0; ++more)
@@ -154,7 +154,7 @@ bool Finder::begin()
 
 void Finder::collect()
 {
-  const std::vector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
+  const AlignedVector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   // Each level leaves all but one of its children behind.
   std::int32_t stack[BoxTree::kWidth * kMostLevels];
   int top = 0;

@@ -64,7 +64,7 @@ class PatchCorners
 {
 public:
   /// \param end of the patch in the list of pieces
-  PatchCorners(const std::vector<Piece>& pieces, std::int32_t begin, std::int32_t end)
+  PatchCorners(const AlignedVector<Piece>& pieces, std::int32_t begin, std::int32_t end)
     : Pieces(pieces)
     , Begin(begin)
     , End(end)
@@ -135,7 +135,7 @@ private:
     return found != this->Order.end() && this->Pieces[*found].lower == corner ? *found : -1;
   }
 
-  const std::vector<Piece>& Pieces;
+  const AlignedVector<Piece>& Pieces;
   std::int32_t Begin;
   std::int32_t End;
   std::vector<std::int32_t> Order; ///< by lower corners, once it is needed
@@ -158,7 +158,7 @@ class BlockBuilder
 
 public:
   /// \param reach the largest one of a piece
-  BlockBuilder(const std::vector<Piece>& pieces, double reach)
+  BlockBuilder(const AlignedVector<Piece>& pieces, double reach)
     : Pieces(pieces)
     , Bounds(new PieceDerivatives[pieces.size()]) // millions of numbers, all of them set later
   {
@@ -168,7 +168,7 @@ public:
   }
 
   /// Blocks of the pieces of one patch.
-  void build(std::int32_t begin, std::int32_t end, std::vector<PieceNeighbourhood>& result)
+  void build(std::int32_t begin, std::int32_t end, AlignedVector<PieceNeighbourhood>& result)
   {
     if (!this->Fits)
     {
@@ -333,7 +333,7 @@ private:
       (8.0 * shape.roundings * 0x1p-53 * steepness + kExpansion * degrees * degrees) * kUp);
   }
 
-  const std::vector<Piece>& Pieces;
+  const AlignedVector<Piece>& Pieces;
   std::unique_ptr<PieceDerivatives[]> Bounds;
   RationalDerivatives Rational;
   double Length; ///< factor that makes the model's about 1
@@ -341,8 +341,8 @@ private:
 };
 
 /// Finds the pieces around each one of a patch.
-void find_pieces(const std::vector<Piece>& pieces, std::int32_t begin, std::int32_t end,
-  std::vector<PieceNeighbourhood>& result)
+void find_pieces(const AlignedVector<Piece>& pieces, std::int32_t begin, std::int32_t end,
+  AlignedVector<PieceNeighbourhood>& result)
 {
   PatchCorners corners(pieces, begin, end);
   for (std::int32_t k = begin; k < end; ++k)
@@ -378,12 +378,12 @@ void find_pieces(const std::vector<Piece>& pieces, std::int32_t begin, std::int3
 
 } // namespace
 
-std::vector<PieceNeighbourhood> find_neighbourhoods(const std::vector<Piece>& pieces)
+AlignedVector<PieceNeighbourhood> find_neighbourhoods(const AlignedVector<Piece>& pieces)
 {
   PieceNeighbourhood alone{};
   alone.pieces.fill(-1);
   alone.limit = -1.0;
-  std::vector<PieceNeighbourhood> result(pieces.size(), alone);
+  AlignedVector<PieceNeighbourhood> result(pieces.size(), alone);
   const auto count = static_cast<std::int32_t>(pieces.size());
   std::vector<std::int32_t> begins; // of patches
   double reach = 0.0;

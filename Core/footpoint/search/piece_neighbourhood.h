@@ -56,6 +56,6 @@ struct PieceNeighbourhood
 
 /// One for each piece. Models so large or so small that squares of their distances are beyond all
 /// bounds have no blocks, and neither have pieces whose derivatives vanish beside the model.
-std::vector<PieceNeighbourhood> find_neighbourhoods(const std::vector<Piece>& pieces);
+AlignedVector<PieceNeighbourhood> find_neighbourhoods(const AlignedVector<Piece>& pieces);
 
 } // namespace footpoint

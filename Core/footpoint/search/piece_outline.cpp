@@ -153,8 +153,8 @@ bool fits(const Piece& piece)
 
 } // namespace
 
-PieceOutlines::PieceOutlines(const std::vector<Piece>& pieces,
-  const std::vector<TangentPlane>& planes, const std::vector<PieceNeighbourhood>& neighbourhoods)
+PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces,
+  const AlignedVector<TangentPlane>& planes, const AlignedVector<PieceNeighbourhood>& neighbourhoods)
   : Outlines(pieces.size())
 {
   std::size_t size = 0;

@@ -45,13 +45,13 @@ class PieceOutlines
 {
 public:
   PieceOutlines() = default;
-  PieceOutlines(const std::vector<Piece>& pieces, const std::vector<TangentPlane>& planes,
-    const std::vector<PieceNeighbourhood>& neighbourhoods);
+  PieceOutlines(const AlignedVector<Piece>& pieces, const AlignedVector<TangentPlane>& planes,
+    const AlignedVector<PieceNeighbourhood>& neighbourhoods);
 
   const PieceOutline& operator[](std::int32_t piece) const { return this->Outlines[piece]; }
 
 private:
-  std::vector<PieceOutline> Outlines;
+  AlignedVector<PieceOutline> Outlines;
   AlignedArray<float> Numbers;
 };
 

@@ -20,8 +20,8 @@ struct SearchStructure
   DistanceForms forms;
   BoxTree tree;
   double greatest_error = 0.0; ///< of the pieces
-  std::vector<TangentPlane> planes;
-  std::vector<PieceNeighbourhood> neighbourhoods;
+  AlignedVector<TangentPlane> planes;
+  AlignedVector<PieceNeighbourhood> neighbourhoods;
   PieceOutlines outlines;
 };
 
