@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/model/point_inversion.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -50,6 +52,15 @@ Foot not_reached()
   Foot foot;
   foot.status = Status::NotConverged;
   return foot;
+}
+
+/// Has the memory of a foot ready by the time that it is written to.
+void fetch(const Foot& foot)
+{
+  const char* begin = reinterpret_cast<const char*>(&foot);
+  hwy::Prefetch(begin);
+  hwy::Prefetch(begin + sizeof(Foot) / 2);
+  hwy::Prefetch(begin + sizeof(Foot) - 1);
 }
 
 void append(InversionResult& result, std::int64_t point, const std::vector<Foot>& feet)
@@ -177,6 +188,7 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
           const std::int64_t most = std::min(kGroup, stride); // few where points take long
           std::int64_t look = from;
           std::vector<Start> group_starts;
+          Foot feet[kGroup];
           for (std::int64_t i = from; i < to; i += most)
           {
             // The first points are always done, so that there is progress.
@@ -193,12 +205,12 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
             {
               const std::int64_t k = begin + next[i + j];
               group.col(j) = points.col(k);
+              fetch(result.feet[next[i + j]]);
               if (!starts.empty())
               {
                 group_starts.push_back(starts[k]);
               }
             }
-            Foot feet[kGroup];
             inverter.find(group.leftCols(size), group_starts, workspace, feet);
             for (std::int64_t j = 0; j < size; ++j)
             {

@@ -51,24 +51,16 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
   static_assert(std::is_trivially_destructible<Finder>::value, "the memory is just left");
   constexpr std::size_t kLines = (sizeof(Finder) + sizeof(Line) - 1) / sizeof(Line);
   workspace.searches.resize(CertifiedSearch::kTogether * kLines);
-  struct Waiting
-  {
-    std::int32_t piece;
-    int number;
-    Finder* finder;
-
-    bool operator<(const Waiting& other) const
-    {
-      return this->piece != other.piece ? this->piece < other.piece : this->number < other.number;
-    }
-  };
-  Waiting waiting[CertifiedSearch::kTogether];
+  const auto finder_of = [&workspace](std::uint64_t number)
+  { return reinterpret_cast<Finder*>(&workspace.searches[number * kLines]); };
+  std::uint64_t waiting[CertifiedSearch::kTogether]; // the piece, then the number of the query
   int left = 0;
-  const auto wait_or_finish = [&](Finder* finder, int number, bool waits)
+  const auto wait_or_finish = [&](Finder* finder, std::uint64_t number, bool waits)
   {
     if (waits)
     {
-      waiting[left++] = { finder->pending().query.index, number, finder };
+      waiting[left++] =
+        static_cast<std::uint64_t>(finder->pending().query.index) * CertifiedSearch::kTogether + number;
     }
     else
     {
@@ -77,9 +69,9 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
   };
   for (int k = 0; k < count; ++k)
   {
-    Finder* finder = new (&workspace.searches[static_cast<std::size_t>(k) * kLines])
-      Finder(structure, queries[k], k, workspace, answers[k]);
-    wait_or_finish(finder, k, finder->start());
+    const auto number = static_cast<std::uint64_t>(k);
+    Finder* finder = new (finder_of(number)) Finder(structure, queries[k], k, workspace, answers[k]);
+    wait_or_finish(finder, number, finder->start());
   }
   while (left > 0)
   {
@@ -91,17 +83,18 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
       const int begin = first;
       do
       {
-        packet[first - begin] = &waiting[first].finder->pending();
+        packet[first - begin] = &finder_of(waiting[first] % CertifiedSearch::kTogether)->pending();
         ++first;
       } while (first < all && first - begin < Lanes::kCount &&
-        waiting[first].piece == waiting[begin].piece);
+        waiting[first] / CertifiedSearch::kTogether == waiting[begin] / CertifiedSearch::kTogether);
       take_plain_steps(packet, first - begin);
     }
     left = 0;
     for (int k = 0; k < all; ++k)
     {
-      const Waiting each = waiting[k];
-      wait_or_finish(each.finder, each.number, each.finder->go_on());
+      const std::uint64_t number = waiting[k] % CertifiedSearch::kTogether;
+      Finder* finder = finder_of(number);
+      wait_or_finish(finder, number, finder->go_on());
     }
   }
 }

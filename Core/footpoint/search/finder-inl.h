@@ -214,8 +214,7 @@ private:
     int child;
     double squared; ///< distance of the box
   };
-  void visit(std::int32_t index);
-  int nearest_child(const Visit& visit) const;
+  int visit(std::int32_t index);
   Leaf go_down(std::int32_t child);
   /// Goes to the piece whose box seems nearest, for a first bound; whether a descent begins there.
   bool begin();
@@ -335,7 +334,6 @@ private:
   struct Visit
   {
     HWY_ALIGN double squared[BoxTree::kWidth];
-    HWY_ALIGN double score[BoxTree::kWidth];
     std::int32_t node;
     unsigned followed;
   };

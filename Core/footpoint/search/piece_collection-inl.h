@@ -45,14 +45,18 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
   }
 }
 
-/// Squared distances of the boxes of a node, and what a way down goes by: boxes that hold the point are
-/// told apart by their middles.
-HWY_INLINE void Finder::visit(std::int32_t index)
+/// Squared distances of the boxes of a node, and the child that a way down follows: boxes that hold the
+/// point are told apart by their middles.
+HWY_INLINE int Finder::visit(std::int32_t index)
 {
   const hn::CappedTag<double, 8> tag;
   const hn::Rebind<float, decltype(tag)> single;
+  const hn::RebindToUnsigned<decltype(tag)> bits;
+  constexpr std::uint64_t kNumber = BoxTree::kWidth - 1;
   const auto zero = hn::Zero(tag);
-  const auto slight = hn::Set(tag, 1e-3); // weight of the distance of the middle
+  const auto slight = hn::Set(tag, 1e-3);       // weight of the distance of the middle
+  const auto greatest = hn::Set(tag, 0x1p1000); // the first child where all are beyond all bounds
+  auto least = hn::Set(tag, kInfinity);
   const BoxTree::Node& node = this->Structure.tree.nodes()[index];
   Visit& visit = this->Path[this->Depth++];
   visit.node = index;
@@ -72,23 +76,15 @@ HWY_INLINE void Finder::visit(std::int32_t index)
       middle = hn::MulAdd(twice, twice, middle);
     }
     hn::StoreU(squared, tag, visit.squared + k);
-    hn::StoreU(hn::MulAdd(slight, middle, squared), tag, visit.score + k);
+    // Every score carries the number of its child in its last bits, so that the least one tells whose it is.
+    const auto score = hn::Min(hn::MulAdd(slight, middle, squared), greatest);
+    const auto number = hn::Iota(bits, static_cast<std::uint64_t>(k));
+    least = hn::Min(least,
+      hn::BitCast(
+        tag, hn::Or(hn::AndNot(hn::Set(bits, kNumber), hn::BitCast(bits, score)), number)));
   }
-}
-
-/// The child that a way down follows.
-HWY_INLINE int Finder::nearest_child(const Visit& visit) const
-{
-  const hn::CappedTag<double, 8> tag;
-  auto least = hn::Set(tag, kInfinity);
-  for (int k = 0; k < BoxTree::kWidth; k += static_cast<int>(hn::Lanes(tag)))
-  {
-    least = hn::Min(least, hn::LoadU(tag, visit.score + k));
-  }
-  const unsigned nearest = at_most(visit.score, hn::GetLane(hn::MinOfLanes(tag, least))) &
-    this->Structure.tree.nodes()[visit.node].present;
-  // The first one where scores are beyond all bounds.
-  return nearest != 0 ? static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(nearest)) : 0;
+  return static_cast<int>(
+    hn::GetLane(hn::BitCast(bits, hn::MinOfLanes(tag, least))) & kNumber);
 }
 
 Finder::Leaf Finder::go_down(std::int32_t child)
@@ -96,9 +92,8 @@ Finder::Leaf Finder::go_down(std::int32_t child)
   const AlignedVector<BoxTree::Node>& nodes = this->Structure.tree.nodes();
   for (;;)
   {
-    this->visit(child);
+    const int nearest = this->visit(child);
     Visit& visit = this->Path[this->Depth - 1];
-    const int nearest = nearest_child(visit);
     child = nodes[visit.node].child[nearest];
     if (child < 0)
     {
