@@ -2,6 +2,7 @@
 #include "OnlyTarget.h"
 #include "Shapes.h"
 
+#include "footpoint/search/distance_form-inl.h"
 #include "footpoint/search/distance_forms.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,8 @@ using footpoint::PieceShape;
 using footpoint::PieceSide;
 using footpoint::Surface;
 using footpoint::Vector3;
+using footpoint::HWY_NAMESPACE::distance_form;
+using footpoint::HWY_NAMESPACE::PieceQuery;
 using oracle::Real;
 
 namespace
@@ -38,18 +41,16 @@ DistanceForms forms_of(const Curve& curve)
   return forms;
 }
 
-/// Every coefficient of all forms of a piece, from its net in long double: the largest difference
-/// over what Documentation/CertifiedSearch.md allows, (W2 coefficient) × roundings × reach^(2, 1,
-/// 0).
-double coefficient_error(const Piece& piece)
+/// Coefficient (m, n) of Q, Wx, Wy, Wz and W2 of a piece, from its net in long double.
+std::array<Real, 5> products_of(const Piece& piece, int m, int n)
 {
   const PieceShape& shape = *piece.shape;
-  const auto binomial = [](int n, int k)
+  const auto binomial = [](int of, int k)
   {
     Real result = 1.0L;
     for (int i = 1; i <= k; ++i)
     {
-      result = result * (n - k + i) / i;
+      result = result * (of - k + i) / i;
     }
     return result;
   };
@@ -57,37 +58,88 @@ double coefficient_error(const Piece& piece)
   const int q = shape.degree[1];
   const auto control = [&](int i, int j, int k) -> Real
   { return piece.net[(i * (q + 1) + j) * 4 + k]; };
-  Real worst = 0.0L;
+  std::array<Real, 5> sums{};
+  for (int i = std::max(0, m - p); i <= std::min(p, m); ++i)
+  {
+    for (int j = std::max(0, n - q); j <= std::min(q, n); ++j)
+    {
+      const Real factor = binomial(p, i) * binomial(p, m - i) * binomial(q, j) *
+        binomial(q, n - j) / (binomial(2 * p, m) * binomial(2 * q, n));
+      const Real w = control(i, j, 3);
+      sums[4] += factor * w * control(m - i, n - j, 3);
+      for (int k = 0; k < 3; ++k)
+      {
+        sums[0] += factor * control(i, j, k) * control(m - i, n - j, k);
+        sums[1 + k] += factor * w * control(m - i, n - j, k);
+      }
+    }
+  }
+  return sums;
+}
+
+/// Calls visit(k, products) for number k of a form and the coefficients of the products there.
+template <class Visit>
+void for_each_coefficient(const Piece& piece, const Visit& visit)
+{
+  const PieceShape& shape = *piece.shape;
   for (int m = 0; m < shape.rows; ++m)
   {
     for (int n = 0; n < shape.stride; ++n)
     {
-      const int column = std::min(n, shape.columns - 1); // padded by the last one
-      std::array<Real, 5> sums{};
-      for (int i = std::max(0, m - p); i <= std::min(p, m); ++i)
-      {
-        for (int j = std::max(0, column - q); j <= std::min(q, column); ++j)
-        {
-          const Real factor = binomial(p, i) * binomial(p, m - i) * binomial(q, j) *
-            binomial(q, column - j) / (binomial(2 * p, m) * binomial(2 * q, column));
-          const Real w = control(i, j, 3);
-          sums[4] += factor * w * control(m - i, column - j, 3);
-          for (int k = 0; k < 3; ++k)
-          {
-            sums[0] += factor * control(i, j, k) * control(m - i, column - j, k);
-            sums[1 + k] += factor * w * control(m - i, column - j, k);
-          }
-        }
-      }
-      for (int form = 0; form < shape.number_of_forms; ++form)
-      {
-        const Real value = piece.forms[form * shape.form_size + m * shape.stride + n];
-        const Real size = form == 0 ? piece.reach * piece.reach : form == 4 ? 1.0L : piece.reach;
-        const Real allowed = sums[4] * shape.roundings * kRounding * size;
-        worst = std::max(worst, std::abs(value - sums[form]) / allowed);
-      }
+      // Padded by the last one.
+      visit(m * shape.stride + n, products_of(piece, m, std::min(n, shape.columns - 1)));
     }
   }
+}
+
+/// Every coefficient of all forms of a piece: the largest difference over what
+/// Documentation/CertifiedSearch.md allows, (W2 coefficient) × roundings × reach^(2, 1, 0).
+double coefficient_error(const Piece& piece)
+{
+  const PieceShape& shape = *piece.shape;
+  Real worst = 0.0L;
+  for_each_coefficient(piece,
+    [&](int k, const std::array<Real, 5>& products)
+    {
+      for (int form = 0; form < shape.number_of_forms; ++form)
+      {
+        const Real value = piece.forms[form * shape.form_size + k];
+        const Real size = form == 0 ? piece.reach * piece.reach : form == 4 ? 1.0L : piece.reach;
+        const Real allowed = products[4] * shape.roundings * kRounding * size;
+        worst = std::max(worst, std::abs(value - products[form]) / allowed);
+      }
+    });
+  return static_cast<double>(worst);
+}
+
+/// The distance form of a piece for a query as far from it as its size times a power of ten, the largest
+/// difference over what is allowed: (W2 coefficient) × roundings × what the terms are at the most.
+double distance_form_error(shapes::Random& random, const Piece& piece)
+{
+  const PieceShape& shape = *piece.shape;
+  const double far = piece.reach * std::pow(10.0, random.uniform(-2.0, 3.0));
+  const Vector3 p = far * random.vector(-1.0, 1.0);
+  PieceQuery query;
+  query.piece = &piece;
+  query.index = 0;
+  std::copy_n(p.data(), 3, query.p);
+  const double constant = far * far * random.uniform(-1.0, 1.0);
+  std::vector<double> form(shape.form_size, NAN);
+  const double least = distance_form(query, constant, form.data());
+  EXPECT_EQ(least, *std::min_element(form.begin(), form.end()));
+  Real worst = 0.0L;
+  for_each_coefficient(piece,
+    [&](int k, const std::array<Real, 5>& products)
+    {
+      Real expected = products[0] + constant * products[4];
+      for (int i = 0; i < 3; ++i)
+      {
+        expected -= 2.0L * p(i) * products[1 + i];
+      }
+      const Real size = piece.reach * (piece.reach + 4.0L * p.norm()) + std::abs(constant);
+      const Real allowed = products[4] * shape.roundings * kRounding * size;
+      worst = std::max(worst, std::abs(form[k] - expected) / allowed);
+    });
   return static_cast<double>(worst);
 }
 
@@ -128,6 +180,18 @@ Surface random_surface(int p, int q, bool rational)
     KnotVector(q, shapes::clamped_knots(q, nv - q), "KnotsV"), net, weights);
 }
 
+Curve random_curve(int degree, bool rational)
+{
+  shapes::Random random(18);
+  const int poles = degree + 3;
+  const footpoint::Points net =
+    footpoint::Points::NullaryExpr(3, poles, [&]() { return random.uniform(-1.0, 1.0); });
+  const Eigen::VectorXd weights = Eigen::VectorXd::NullaryExpr(
+    rational ? poles : 0, [&]() { return random.uniform(0.5, 2.0); });
+  return Curve(
+    KnotVector(degree, shapes::clamped_knots(degree, poles - degree), "KnotsU"), net, weights);
+}
+
 constexpr std::array<std::array<int, 2>, 5> kDegrees{ { { 1, 1 }, { 3, 3 }, { 2, 5 }, { 6, 4 },
   { 1, 12 } } };
 
@@ -149,6 +213,37 @@ TEST(DistanceForms, CoefficientsAreThoseOfTheNetWithinTheirBound)
   }
   EXPECT_LE(coefficient_error(forms_of(shapes::circle())), 1.0);
   EXPECT_LE(coefficient_error(forms_of(shapes::parabola())), 1.0);
+}
+
+TEST(DistanceForms, FormsOfQueriesAreWithinTheirBound)
+{
+  shapes::Random random(31);
+  std::vector<DistanceForms> all;
+  for (const bool rational : { false, true })
+  {
+    for (const std::array<int, 2>& degree : kDegrees)
+    {
+      all.push_back(forms_of(random_surface(degree[0], degree[1], rational)));
+    }
+    // Degrees that have code of their own.
+    all.push_back(forms_of(random_surface(2, 2, rational)));
+    all.push_back(forms_of(random_surface(4, 30, rational)));
+    for (const int degree : { 1, 3, 30 })
+    {
+      all.push_back(forms_of(random_curve(degree, rational)));
+    }
+  }
+  for (const DistanceForms& forms : all)
+  {
+    const std::size_t step = 1 + forms.pieces().size() / 4;
+    for (std::size_t k = 0; k < forms.pieces().size(); k += step)
+    {
+      const Piece& piece = forms.pieces()[k];
+      EXPECT_LE(distance_form_error(random, piece), 1.0)
+        << "degrees " << piece.shape->degree[0] << " and " << piece.shape->degree[1]
+        << (piece.shape->rational ? ", rational" : "");
+    }
+  }
 }
 
 TEST(DistanceForms, PiecesOfALargeNetAreItsSpans)

@@ -13,6 +13,7 @@
 #include "footpoint/search/better_foot.h"
 #include "footpoint/search/cell_form-inl.h"
 #include "footpoint/search/certified_search.h"
+#include "footpoint/search/distance_form-inl.h"
 #include "footpoint/search/height_form-inl.h"
 #include "footpoint/search/piece_descent-inl.h"
 
@@ -196,8 +197,6 @@ private:
   /// Level for dropping what is farther than reach().
   Level reach_of(const PieceQuery& query) const;
 
-  /// Computes the coefficients of F into `target`; returns the smallest one.
-  double form(const PieceQuery& query, double constant, double* target) const;
   static Pair start_of(const PieceShape& shape, const double* coefficients, double least);
   static Slopes slopes_of(const PieceShape& shape, const double* f, double error);
   static bool is_convex(const PieceShape& shape, const double* f, double error);

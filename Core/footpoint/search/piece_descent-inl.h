@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -404,37 +403,6 @@ HWY_INLINE std::int32_t piece_beyond(
     target[i] = std::min(std::max(target[i], 0.0), 1.0);
   }
   return next;
-}
-
-/// Calls a function with the degrees of a piece, as far as they have code of their own, and with
-/// whether it is rational.
-template <class Function>
-HWY_INLINE auto with_shape(const PieceShape& shape, const Function& function)
-{
-  using std::false_type;
-  using std::true_type;
-  const int p = shape.degree[0];
-  const int q = shape.degree[1];
-  using Any = std::integral_constant<int, -1>;
-  using One = std::integral_constant<int, 1>;
-  using Two = std::integral_constant<int, 2>;
-  using Three = std::integral_constant<int, 3>;
-  using None = std::integral_constant<int, 0>;
-  if (!shape.rational)
-  {
-    return p == 3 && q == 3 ? function(Three(), Three(), false_type())
-      : p == 0 && q == 3    ? function(None(), Three(), false_type())
-      : p == 0              ? function(None(), Any(), false_type())
-      : p == 1 && q == 1    ? function(One(), One(), false_type())
-      : p == 2 && q == 2    ? function(Two(), Two(), false_type())
-                            : function(Any(), Any(), false_type());
-  }
-  return p == 2 && q == 2 ? function(Two(), Two(), true_type())
-    : p == 2 && q == 1    ? function(Two(), One(), true_type())
-    : p == 1 && q == 2    ? function(One(), Two(), true_type())
-    : p == 3 && q == 3    ? function(Three(), Three(), true_type())
-    : p == 0              ? function(None(), Any(), true_type())
-                          : function(Any(), Any(), true_type());
 }
 
 /// Evaluates at place.t.

@@ -323,7 +323,7 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   const int size = shape.form_size;
   std::vector<SearchWorkspace::Cell>& cells = this->Workspace.cells;
   cells.clear();
-  const double least = this->form(
+  const double least = distance_form(
     query, level.constant + this->Slack - level.margin, this->coefficients(0, size));
   cells.push_back({ { { 0.0, 0.0 } }, { { 1.0, 1.0 } }, least, 0.0, 0 });
   std::vector<SearchWorkspace::HardCell>& hard = this->Workspace.hard_cells;

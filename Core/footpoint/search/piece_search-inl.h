@@ -198,7 +198,7 @@ bool Finder::next_candidate()
     }
     const PieceShape& shape = *query.piece->shape;
     double* f = this->coefficients(0, shape.form_size);
-    const double least = this->form(query, level.constant - level.margin, f);
+    const double least = distance_form(query, level.constant - level.margin, f);
     if (this->excludes(least))
     {
       continue;
