@@ -16,7 +16,12 @@ using footpoint::PieceSide;
 using footpoint::Surface;
 using footpoint::Vector3;
 using footpoint::HWY_NAMESPACE::distance_form;
+using footpoint::HWY_NAMESPACE::halve;
+using footpoint::HWY_NAMESPACE::is_convex;
 using footpoint::HWY_NAMESPACE::PieceQuery;
+using footpoint::HWY_NAMESPACE::Slopes;
+using footpoint::HWY_NAMESPACE::slopes_of;
+using footpoint::HWY_NAMESPACE::start_of;
 using oracle::Real;
 
 namespace
@@ -244,6 +249,153 @@ TEST(DistanceForms, FormsOfQueriesAreWithinTheirBound)
         << (piece.shape->rational ? ", rational" : "");
     }
   }
+}
+
+/// Coefficients of a polynomial as a form has them, where reads one number beyond either end may go.
+struct Coefficients
+{
+  static constexpr int kBeside = 16;
+
+  const PieceShape& shape;
+  std::vector<double> numbers;
+
+  /// \param value of coefficient (i, j)
+  template <class Value>
+  Coefficients(const PieceShape& of, const Value& value)
+    : shape(of)
+    , numbers(of.form_size + 2 * kBeside, 0.0)
+  {
+    for (int i = 0; i < of.rows; ++i)
+    {
+      for (int j = 0; j < of.stride; ++j)
+      {
+        this->data()[i * of.stride + j] = value(i, std::min(j, of.columns - 1));
+      }
+    }
+  }
+
+  double* data() { return this->numbers.data() + kBeside; }
+
+  double least() { return *std::min_element(this->data(), this->data() + this->shape.form_size); }
+
+  /// By de Casteljau's algorithm.
+  Real at(Real u, Real v)
+  {
+    const auto point = [](std::vector<Real> line, Real t)
+    {
+      for (std::size_t left = line.size() - 1; left > 0; --left)
+      {
+        for (std::size_t k = 0; k < left; ++k)
+        {
+          line[k] += t * (line[k + 1] - line[k]);
+        }
+      }
+      return line[0];
+    };
+    std::vector<Real> along_u;
+    for (int i = 0; i < this->shape.rows; ++i)
+    {
+      const double* row = this->data() + i * this->shape.stride;
+      along_u.push_back(point(std::vector<Real>(row, row + this->shape.columns), v));
+    }
+    return point(along_u, u);
+  }
+};
+
+TEST(DistanceForms, HalvesAreThePolynomialItself)
+{
+  shapes::Random random(41);
+  for (const std::array<int, 2>& degree : kDegrees)
+  {
+    const PieceShape shape(degree[0], degree[1], false);
+    for (const int direction : { 0, 1 })
+    {
+      const Coefficients whole(shape, [&](int, int) { return random.uniform(-1.0, 1.0); });
+      Coefficients before = whole;
+      Coefficients lower = whole;
+      Coefficients upper = whole;
+      const std::array<double, 2> least = halve(shape, lower.data(), direction, upper.data());
+      EXPECT_EQ(least[0], lower.least());
+      EXPECT_EQ(least[1], upper.least());
+      for (int k = 0; k < 20; ++k)
+      {
+        std::array<Real, 2> at{ { random.uniform(0.0, 1.0), random.uniform(0.0, 1.0) } };
+        const Real low = lower.at(at[0], at[1]);
+        const Real high = upper.at(at[0], at[1]);
+        at[direction] *= 0.5L;
+        EXPECT_NEAR(static_cast<double>(low - before.at(at[0], at[1])), 0.0, 1e-15);
+        at[direction] += 0.5L;
+        EXPECT_NEAR(static_cast<double>(high - before.at(at[0], at[1])), 0.0, 1e-15);
+      }
+    }
+  }
+}
+
+/// Sums of squares of linear polynomials, some of them turned to saddles by a twist: what is called convex
+/// or monotone has to be so at samples, and most of what is has to be called so.
+TEST(DistanceForms, SignsOfDerivativesAreThoseOfThePolynomial)
+{
+  shapes::Random random(42);
+  const PieceShape shape(3, 3, false);
+  const Real n = shape.rows - 1.0L;
+  int convex = 0;
+  int called_convex = 0;
+  int monotone = 0;
+  int called_monotone = 0;
+  for (int round = 0; round < 2000; ++round)
+  {
+    const double a = random.uniform(0.0, 1.0);
+    const double c = random.uniform(0.0, 1.0);
+    const double b = random.uniform(-1.0, 1.0);
+    const double u = random.uniform(-0.5, 1.5);
+    const double v = random.uniform(-0.5, 1.5);
+    // a (u − u0)² + 2 b (u − u0)(v − v0) + c (v − v0)² in Bernstein form.
+    const auto square = [&](int i, double at)
+    { return i * (i - 1.0) / (n * (n - 1.0L)) - 2.0L * at * i / n + at * at; };
+    Coefficients f(shape, [&](int i, int j)
+      { return static_cast<double>(
+          a * square(i, u) + 2.0 * b * (i / n - u) * (j / n - v) + c * square(j, v)); });
+    const bool is = a * c > b * b;
+    const bool called = is_convex(shape, f.data(), 0.0);
+    convex += is;
+    called_convex += called;
+    EXPECT_TRUE(is || !called || a * c > b * b - 1e-12) << a << ' ' << b << ' ' << c;
+
+    // The slope along a direction is linear: its extremes are at the corners.
+    std::array<bool, 2> rises{ { true, true } };
+    std::array<bool, 2> falls{ { true, true } };
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const double x = corner / 2 - u;
+      const double y = corner % 2 - v;
+      const std::array<double, 2> slope{ { a * x + b * y, b * x + c * y } };
+      for (int i = 0; i < 2; ++i)
+      {
+        rises[i] = rises[i] && slope[i] > -1e-12;
+        falls[i] = falls[i] && slope[i] < 1e-12;
+      }
+    }
+    const Slopes slopes = slopes_of(shape, f.data(), 0.0);
+    monotone += rises[0] || falls[0] || rises[1] || falls[1];
+    called_monotone += slopes.monotone >= 0;
+    if (slopes.monotone >= 0)
+    {
+      EXPECT_TRUE(slopes.end == 0 ? rises[slopes.monotone] : falls[slopes.monotone]);
+    }
+    // Where the minimum is inside, and the polynomial is a bowl without a twist, a start is at it.
+    if (u > 0.2 && u < 0.8 && v > 0.2 && v < 0.8)
+    {
+      Coefficients bowl(shape, [&](int i, int j)
+        { return static_cast<double>((a + 0.1) * square(i, u) + (c + 0.1) * square(j, v)); });
+      const std::array<double, 2> start = start_of(shape, bowl.data(), bowl.least());
+      EXPECT_NEAR(start[0], u, 1e-9);
+      EXPECT_NEAR(start[1], v, 1e-9);
+    }
+  }
+  EXPECT_GE(called_convex, convex * 9 / 10);
+  EXPECT_GE(called_monotone, monotone * 9 / 10);
+  EXPECT_GT(convex, 300);
+  EXPECT_GT(monotone, 300);
 }
 
 TEST(DistanceForms, PiecesOfALargeNetAreItsSpans)

@@ -31,7 +31,8 @@ std::set<double> kinks(const KnotVector& knots)
 }
 
 /// The piece beyond an end that is as wide across, by looking at all of them.
-std::int32_t piece_beyond(const footpoint::AlignedVector<Piece>& pieces, const Piece& piece, int i, int end)
+std::int32_t piece_beyond(
+  const footpoint::AlignedVector<Piece>& pieces, const Piece& piece, int i, int end)
 {
   const double border = end == 0 ? piece.lower[i] : piece.upper[i];
   for (std::size_t k = 0; k < pieces.size(); ++k)

@@ -12,7 +12,7 @@
 #include "footpoint/search/finder-inl.h"
 #include "footpoint/search/packet_descent-inl.h"
 #include "footpoint/search/piece_collection-inl.h"
-#include "footpoint/search/piece_forms-inl.h"
+#include "footpoint/search/piece_level-inl.h"
 #include "footpoint/search/piece_proof-inl.h"
 #include "footpoint/search/piece_search-inl.h"
 

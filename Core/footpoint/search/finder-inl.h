@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finder: all that one query needs. Its members are defined in piece_forms-inl.h, piece_collection-inl.h,
+// Finder: all that one query needs. Its members are defined in piece_level-inl.h, piece_collection-inl.h,
 // piece_search-inl.h and piece_proof-inl.h. Compiled once for each set of vector instructions (the
 // guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_FINDER_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -83,15 +83,6 @@ HWY_INLINE unsigned at_most(const double* values, double limit)
   }
   return result;
 }
-
-/// What the first differences of the coefficients of F say.
-struct Slopes
-{
-  int monotone;    ///< the direction along which F is monotone, −1: none
-  int end;         ///< where it is smallest then
-  int cut;         ///< otherwise the direction along which the slope changes more
-  double greatest; ///< and the greatest of the coefficients, by magnitude
-};
 
 /// The squared distance of a box is rounded a few times, in relative terms.
 constexpr double kOutward = 1.0 + 32.0 * kRounding;
@@ -181,7 +172,7 @@ private:
       piece.region->cover(local(lower), local(upper)) == TrimRegion::Cover::Outside;
   }
 
-  // === The distance form ===
+  // === The level of a distance form ===
 
   /// |P|² − T for T the square of the best distance, without the cancellation of large numbers, and
   /// the bound of the error of any coefficient of F, over W2.
@@ -196,11 +187,6 @@ private:
   Level level_of(const PieceQuery& query, double distance) const;
   /// Level for dropping what is farther than reach().
   Level reach_of(const PieceQuery& query) const;
-
-  static Pair start_of(const PieceShape& shape, const double* coefficients, double least);
-  static Slopes slopes_of(const PieceShape& shape, const double* f, double error);
-  static bool is_convex(const PieceShape& shape, const double* f, double error);
-  static Pair halve(const PieceShape& shape, double* f, int direction, double* upper);
 
   // === The search ===
 
