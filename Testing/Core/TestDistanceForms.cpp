@@ -111,6 +111,7 @@ double coefficient_error(const Piece& piece)
         const Real value = piece.forms[form * shape.form_size + k];
         const Real size = form == 0 ? piece.reach * piece.reach : form == 4 ? 1.0L : piece.reach;
         const Real allowed = products[4] * shape.roundings * kRounding * size;
+        EXPECT_TRUE(std::isfinite(value));
         worst = std::max(worst, std::abs(value - products[form]) / allowed);
       }
     });
@@ -143,6 +144,7 @@ double distance_form_error(shapes::Random& random, const Piece& piece)
       }
       const Real size = piece.reach * (piece.reach + 4.0L * p.norm()) + std::abs(constant);
       const Real allowed = products[4] * shape.roundings * kRounding * size;
+      EXPECT_TRUE(std::isfinite(form[k]));
       worst = std::max(worst, std::abs(form[k] - expected) / allowed);
     });
   return static_cast<double>(worst);
@@ -230,7 +232,6 @@ TEST(DistanceForms, FormsOfQueriesAreWithinTheirBound)
     {
       all.push_back(forms_of(random_surface(degree[0], degree[1], rational)));
     }
-    // Degrees that have code of their own.
     all.push_back(forms_of(random_surface(2, 2, rational)));
     all.push_back(forms_of(random_surface(4, 30, rational)));
     for (const int degree : { 1, 3, 30 })
@@ -251,7 +252,7 @@ TEST(DistanceForms, FormsOfQueriesAreWithinTheirBound)
   }
 }
 
-/// Coefficients of a polynomial as a form has them, where reads one number beyond either end may go.
+/// Coefficients of a polynomial as a form has them, where reads a few numbers beyond either end may go.
 struct Coefficients
 {
   static constexpr int kBeside = 16;
@@ -310,30 +311,38 @@ TEST(DistanceForms, HalvesAreThePolynomialItself)
     const PieceShape shape(degree[0], degree[1], false);
     for (const int direction : { 0, 1 })
     {
-      const Coefficients whole(shape, [&](int, int) { return random.uniform(-1.0, 1.0); });
+      const Eigen::MatrixXd numbers = Eigen::MatrixXd::NullaryExpr(
+        shape.rows, shape.columns, [&]() { return random.uniform(-1.0, 1.0); });
+      const Coefficients whole(shape, [&](int i, int j) { return numbers(i, j); });
       Coefficients before = whole;
       Coefficients lower = whole;
       Coefficients upper = whole;
       const std::array<double, 2> least = halve(shape, lower.data(), direction, upper.data());
       EXPECT_EQ(least[0], lower.least());
       EXPECT_EQ(least[1], upper.least());
+      for (int k = 0; k < shape.form_size; ++k)
+      {
+        const int last = k / shape.stride * shape.stride + shape.columns - 1;
+        EXPECT_EQ(lower.data()[k], lower.data()[std::min(k, last)]);
+        EXPECT_EQ(upper.data()[k], upper.data()[std::min(k, last)]);
+      }
       for (int k = 0; k < 20; ++k)
       {
         std::array<Real, 2> at{ { random.uniform(0.0, 1.0), random.uniform(0.0, 1.0) } };
         const Real low = lower.at(at[0], at[1]);
         const Real high = upper.at(at[0], at[1]);
         at[direction] *= 0.5L;
-        EXPECT_NEAR(static_cast<double>(low - before.at(at[0], at[1])), 0.0, 1e-15);
+        EXPECT_NEAR(static_cast<double>(low - before.at(at[0], at[1])), 0.0, 4e-15);
         at[direction] += 0.5L;
-        EXPECT_NEAR(static_cast<double>(high - before.at(at[0], at[1])), 0.0, 1e-15);
+        EXPECT_NEAR(static_cast<double>(high - before.at(at[0], at[1])), 0.0, 4e-15);
       }
     }
   }
 }
 
-/// Sums of squares of linear polynomials, some of them turned to saddles by a twist: what is called convex
-/// or monotone has to be so at samples, and most of what is has to be called so.
-TEST(DistanceForms, SignsOfDerivativesAreThoseOfThePolynomial)
+/// Quadratic polynomials, some of them saddles: what is called convex or monotone has to be so, and most of
+/// what is has to be called so.
+TEST(DistanceForms, SignsOfDerivativesOfQuadraticPolynomials)
 {
   shapes::Random random(42);
   const PieceShape shape(3, 3, false);
@@ -396,6 +405,95 @@ TEST(DistanceForms, SignsOfDerivativesAreThoseOfThePolynomial)
   EXPECT_GE(called_monotone, monotone * 9 / 10);
   EXPECT_GT(convex, 300);
   EXPECT_GT(monotone, 300);
+}
+
+/// u² + 2 b u v + v²: all second differences along a direction are D, all mixed ones M, so the matrices stay
+/// positive definite up to the error e where n (n − 1) (D − e) = n² (|M| + e).
+TEST(DistanceForms, ConvexityHasRoomForTheErrorThatIsNamed)
+{
+  const PieceShape shape(3, 3, false);
+  const double n = shape.rows - 1;
+  for (const double b : { -0.5, 0.0, 0.3 })
+  {
+    Coefficients f(shape,
+      [&](int i, int j)
+      { return (i * (i - 1.0) + j * (j - 1.0)) / (n * (n - 1.0)) + 2.0 * b * i * j / (n * n); });
+    const double second = 2.0 / (n * (n - 1.0));
+    const double mixed = 2.0 * std::abs(b) / (n * n);
+    const double critical = ((n - 1.0) * second - n * mixed) / (2.0 * n - 1.0);
+    EXPECT_TRUE(is_convex(shape, f.data(), 0.999 * critical)) << b;
+    EXPECT_FALSE(is_convex(shape, f.data(), 1.001 * critical)) << b;
+  }
+  // Of a curve there is one direction.
+  const PieceShape line(0, 3, false);
+  Coefficients f(line, [&](int, int j) { return j * (j - 1.0); });
+  EXPECT_TRUE(is_convex(line, f.data(), 1.999));
+  EXPECT_FALSE(is_convex(line, f.data(), 2.001));
+  // Slopes: the first differences are 0, 2, 4, …
+  EXPECT_EQ(slopes_of(line, f.data(), 0.001).monotone, -1);
+  Coefficients steep(line, [&](int, int j) { return j * (j + 1.0); });
+  EXPECT_EQ(slopes_of(line, steep.data(), 1.999).monotone, 1);
+  EXPECT_EQ(slopes_of(line, steep.data(), 2.001).monotone, -1);
+}
+
+/// Random coefficients about those of a bowl, of several degrees: the second derivatives differ from place to
+/// place, and what is called convex has to be so at samples, with room for the error that was named.
+TEST(DistanceForms, WhatIsCalledConvexIsConvex)
+{
+  shapes::Random random(43);
+  for (const std::array<int, 2>& degree :
+    std::array<std::array<int, 2>, 4>{ { { 2, 2 }, { 3, 3 }, { 1, 2 }, { 2, 5 } } })
+  {
+    const PieceShape shape(degree[0], degree[1], false);
+    const int n = shape.rows - 1;
+    const int m = shape.columns - 1;
+    int called = 0;
+    int rounds = 0;
+    for (; rounds < 1000; ++rounds)
+    {
+      const double noise = std::pow(10.0, random.uniform(-4.0, -0.5)) / (n * n + m * m);
+      const Eigen::MatrixXd numbers = Eigen::MatrixXd::NullaryExpr(
+        n + 1, m + 1, [&]() { return noise * random.uniform(-1.0, 1.0); });
+      const double twist = random.uniform(-1.0, 1.0);
+      const auto value = [&](int i, int j)
+      {
+        const double u = static_cast<double>(i) / n - 0.4;
+        const double v = static_cast<double>(j) / m - 0.6;
+        return u * u + 2.0 * twist * u * v + v * v + numbers(i, j);
+      };
+      Coefficients f(shape, value);
+      const double error = 0.25 * noise * random.uniform(0.0, 1.0);
+      if (!is_convex(shape, f.data(), error))
+      {
+        continue;
+      }
+      ++called;
+      EXPECT_TRUE(is_convex(shape, f.data(), 0.0));
+      // Derivatives have the differences of coefficients as their own, so a coefficient that is off by a
+      // quarter of what a second difference may be off has to leave it convex.
+      Coefficients moved(shape, [&](int i, int j)
+        { return value(i, j) + 0.25 * error * ((i + j) % 2 == 0 ? 1.0 : -1.0); });
+      for (Coefficients* each : { &f, &moved })
+      {
+        for (int k = 0; k < 16; ++k)
+        {
+          constexpr Real kStep = 0x1p-12L;
+          const Real u = kStep + (1.0L - 2.0L * kStep) * (k / 4) / 3.0L;
+          const Real v = kStep + (1.0L - 2.0L * kStep) * (k % 4) / 3.0L;
+          const auto at = [&](int i, int j) { return each->at(u + i * kStep, v + j * kStep); };
+          const Real uu = at(1, 0) - 2.0L * at(0, 0) + at(-1, 0);
+          const Real vv = at(0, 1) - 2.0L * at(0, 0) + at(0, -1);
+          const Real uv = 0.25L * (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1));
+          // Differences are off by their step squared.
+          const Real room = 1e-6L * (uu + vv) * (uu + vv);
+          EXPECT_GT(uu, 0.0L);
+          EXPECT_GT(uu * vv - uv * uv, -room) << degree[0] << ' ' << degree[1] << ", twist " << twist;
+        }
+      }
+    }
+    EXPECT_GT(called, rounds / 10);
+    EXPECT_LT(called, rounds);
+  }
 }
 
 TEST(DistanceForms, PiecesOfALargeNetAreItsSpans)

@@ -13,12 +13,18 @@ namespace
 {
 
 constexpr std::size_t kCacheLine = 64;
-/// A huge page of x86-64, and of ARM with pages of 4 KB; elsewhere just an alignment.
+/// A huge page of x86-64, and of ARM with pages of 4 KB.
 constexpr std::size_t kHugePage = std::size_t{ 1 } << 21;
+
+#ifdef MADV_HUGEPAGE
+constexpr bool kHasHugePages = true;
+#else
+constexpr bool kHasHugePages = false;
+#endif
 
 std::align_val_t alignment_of(std::size_t bytes)
 {
-  return std::align_val_t{ bytes < kHugePage ? kCacheLine : kHugePage };
+  return std::align_val_t{ kHasHugePages && bytes >= kHugePage ? kHugePage : kCacheLine };
 }
 
 } // namespace

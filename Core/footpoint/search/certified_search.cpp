@@ -51,8 +51,10 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
   static_assert(std::is_trivially_destructible<Finder>::value, "the memory is just left");
   constexpr std::size_t kLines = (sizeof(Finder) + sizeof(Line) - 1) / sizeof(Line);
   workspace.searches.resize(CertifiedSearch::kTogether * kLines);
-  const auto finder_of = [&workspace](std::uint64_t number)
-  { return reinterpret_cast<Finder*>(&workspace.searches[number * kLines]); };
+  const auto memory_of = [&workspace](std::uint64_t number)
+  { return &workspace.searches[number * kLines]; };
+  const auto finder_of = [&memory_of](std::uint64_t number)
+  { return std::launder(reinterpret_cast<Finder*>(memory_of(number))); };
   std::uint64_t waiting[CertifiedSearch::kTogether]; // the piece, then the number of the query
   int left = 0;
   const auto wait_or_finish = [&](Finder* finder, std::uint64_t number, bool waits)
@@ -70,7 +72,7 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
   for (int k = 0; k < count; ++k)
   {
     const auto number = static_cast<std::uint64_t>(k);
-    Finder* finder = new (finder_of(number)) Finder(structure, queries[k], k, workspace, answers[k]);
+    Finder* finder = new (memory_of(number)) Finder(structure, queries[k], k, workspace, answers[k]);
     wait_or_finish(finder, number, finder->start());
   }
   while (left > 0)

@@ -31,7 +31,7 @@ template <int P, int Q>
 HWY_NOINLINE double raised_form(const PieceQuery& query, double constant, double* target)
 {
   const hn::CappedTag<double, 8> tag;
-  constexpr int kLanes = static_cast<int>(hn::MaxLanes(tag)); // of a fixed size on every target
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(tag)); // of one size wherever this compiles
   constexpr int kMostRows = (P >= 0 ? P : kMaximumDegree) + 1;
   constexpr int kMostColumns = Q >= 0 ? (2 * Q + 8) / 8 * 8 : kMostNumbers;
   const PieceShape& shape = *query.piece->shape;
@@ -69,12 +69,13 @@ HWY_NOINLINE double raised_form(const PieceQuery& query, double constant, double
   {
     for (int j = 0; j < stride; j += kLanes)
     {
-      auto f = hn::Add(c, hn::LoadU(tag, forms + i * stride + j));
+      auto sum = hn::Zero(tag);
       for (int k = std::max(0, i - p); k <= std::min(p, i); ++k)
       {
-        f = hn::MulAdd(hn::Set(tag, raising[k * (2 * p + 1) + i]),
-          hn::Load(tag, rows + k * stride + j), f);
+        sum = hn::MulAdd(hn::Set(tag, raising[k * (2 * p + 1) + i]),
+          hn::Load(tag, rows + k * stride + j), sum);
       }
+      const auto f = hn::Add(hn::Add(c, hn::LoadU(tag, forms + i * stride + j)), sum);
       hn::StoreU(f, tag, target + i * stride + j);
       least = hn::Min(least, f);
     }

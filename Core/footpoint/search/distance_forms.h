@@ -73,11 +73,11 @@ struct Piece
 ///
 ///   F(u, v) = w²(|S − P|² − T) = Q − 2 P·W + (|P|² − T) W2,   Q = N·N, W = w N, W2 = w²,
 ///
-/// N = w S being the homogeneous coordinates. F is affine in P, so its Bernstein coefficients are
-/// sums of stored ones; where all of them are positive, no point of the piece is nearer than √T
-/// (convex-hull property; T. W. Sederberg and T. Nishita 1990 for the idea). Of polynomial pieces, whose
-/// W = N is the net itself raised to the degree of F, only Q is stored: a third of the memory, and
-/// memory is what large models wait for.
+/// N = w S being the homogeneous coordinates. F is affine in P, and so are its Bernstein coefficients;
+/// where all of them are positive, no point of the piece is nearer than √T (convex-hull property; T. W.
+/// Sederberg and T. Nishita 1990 for the idea). Of polynomial pieces, whose W = N is the net itself raised
+/// to the degree of F, only Q is stored: two fifths of the numbers, and memory is what large models wait
+/// for.
 ///
 /// Built once; const.
 class DistanceForms

@@ -54,7 +54,7 @@ bool Finder::prove_all()
       {
         continue;
       }
-      const PieceFoot survivor = this->Finds.survivors[k]; // a proof may add others
+      const PieceFoot& survivor = this->Finds.survivors[k];
       Verdict verdict = Verdict::Improved;
       while (verdict == Verdict::Improved)
       {

@@ -170,7 +170,7 @@ void PieceOfDistance::fill_polynomial(double* a) const
   for (int i = 0; i <= 2 * p; ++i)
   {
     double* row = a + i * shape.stride;
-    std::copy_n(this->Of.forms + i * shape.stride, shape.stride, row);
+    std::fill_n(row, shape.stride, 0.0);
     for (int j = 0; j <= q; ++j)
     {
       double height = 0.0;
@@ -183,6 +183,10 @@ void PieceOfDistance::fill_polynomial(double* a) const
       {
         row[k] -= 2.0 * height * shape.raising[1][j * shape.stride + k];
       }
+    }
+    for (int k = 0; k < shape.stride; ++k)
+    {
+      row[k] += this->Of.forms[i * shape.stride + k];
     }
   }
 }
