@@ -55,7 +55,10 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
   { return &workspace.searches[number * kLines]; };
   const auto finder_of = [&memory_of](std::uint64_t number)
   { return std::launder(reinterpret_cast<Finder*>(memory_of(number))); };
-  std::uint64_t waiting[CertifiedSearch::kTogether]; // the piece, then the number of the query
+  // The piece, then the number of the query.
+  std::uint64_t waiting[CertifiedSearch::kTogether];
+  const auto piece_of = [](std::uint64_t word) { return word / CertifiedSearch::kTogether; };
+  const auto number_of = [](std::uint64_t word) { return word % CertifiedSearch::kTogether; };
   int left = 0;
   const auto wait_or_finish = [&](Finder* finder, std::uint64_t number, bool waits)
   {
@@ -85,16 +88,16 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
       const int begin = first;
       do
       {
-        packet[first - begin] = &finder_of(waiting[first] % CertifiedSearch::kTogether)->pending();
+        packet[first - begin] = &finder_of(number_of(waiting[first]))->pending();
         ++first;
       } while (first < all && first - begin < Lanes::kCount &&
-        waiting[first] / CertifiedSearch::kTogether == waiting[begin] / CertifiedSearch::kTogether);
+        piece_of(waiting[first]) == piece_of(waiting[begin]));
       take_plain_steps(packet, first - begin);
     }
     left = 0;
     for (int k = 0; k < all; ++k)
     {
-      const std::uint64_t number = waiting[k] % CertifiedSearch::kTogether;
+      const std::uint64_t number = number_of(waiting[k]);
       Finder* finder = finder_of(number);
       wait_or_finish(finder, number, finder->go_on());
     }

@@ -5,6 +5,7 @@
 
 #include "footpoint/search/bernstein_zeros.h"
 #include "footpoint/search/box_traversal.h"
+#include "footpoint/search/distance_form-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,8 +138,6 @@ private:
   bool is_curve() const { return this->Of.shape->degree[0] == 0; }
   BernsteinSystem polynomial_gradient(const std::vector<double>& scratch) const;
   BernsteinSystem rational_gradient() const;
-  void fill_polynomial(double* a) const;
-  void fill_rational(double* a) const;
   void find_signs(const double* a, const Range& values, double margin);
 
   const Piece& Of;
@@ -147,64 +146,13 @@ private:
   std::array<int, 2> Signs{ { 0, 0 } };
 };
 
-void PieceOfDistance::fill_rational(double* a) const
-{
-  const int size = this->Of.shape->form_size;
-  const double* q = this->Of.forms;
-  for (int k = 0; k < size; ++k)
-  {
-    a[k] = q[k];
-    for (int i = 0; i < 3; ++i)
-    {
-      a[k] -= 2.0 * this->P(i) * q[(1 + i) * size + k];
-    }
-  }
-}
-
-/// W = N, raised along the first direction, then along the second.
-void PieceOfDistance::fill_polynomial(double* a) const
-{
-  const PieceShape& shape = *this->Of.shape;
-  const int p = shape.degree[0];
-  const int q = shape.degree[1];
-  for (int i = 0; i <= 2 * p; ++i)
-  {
-    double* row = a + i * shape.stride;
-    std::fill_n(row, shape.stride, 0.0);
-    for (int j = 0; j <= q; ++j)
-    {
-      double height = 0.0;
-      for (int k = std::max(0, i - p); k <= std::min(p, i); ++k)
-      {
-        const Eigen::Map<const Vector3> control(this->Of.net + 4 * (k * (q + 1) + j));
-        height += shape.raising[0][k * (2 * p + 1) + i] * this->P.dot(control);
-      }
-      for (int k = 0; k < shape.stride; ++k)
-      {
-        row[k] -= 2.0 * height * shape.raising[1][j * shape.stride + k];
-      }
-    }
-    for (int k = 0; k < shape.stride; ++k)
-    {
-      row[k] += this->Of.forms[i * shape.stride + k];
-    }
-  }
-}
-
 bool PieceOfDistance::reaches(double limit, std::vector<double>& scratch)
 {
   const PieceShape& shape = *this->Of.shape;
   const int size = shape.form_size;
   scratch.resize(size);
   double* a = scratch.data();
-  if (shape.rational)
-  {
-    this->fill_rational(a);
-  }
-  else
-  {
-    this->fill_polynomial(a);
-  }
+  HWY_NAMESPACE::distance_form({ &this->Of, 0, { this->P(0), this->P(1), this->P(2) } }, 0.0, a);
   // The error of a coefficient over w², see Documentation/CertifiedSearch.md.
   const double reach = this->Of.reach;
   const double margin = shape.roundings * kRounding * reach * (reach + 4.0 * this->Away);
