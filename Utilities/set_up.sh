@@ -16,8 +16,8 @@ set -euo pipefail
 
 paraview_root=${FOOTPOINT_PARAVIEW_ROOT:-${XDG_CACHE_HOME:-$HOME/.cache}/footpoint/paraview-5.11}
 
-tools=(cmake ninja-build g++ libeigen3-dev libgtest-dev libhwy-dev openmpi-bin python3-numpy xvfb xauth
-  libgl1-mesa-dri)
+tools=(cmake ninja-build ccache g++ libeigen3-dev libgtest-dev libhwy-dev openmpi-bin python3-numpy
+  xvfb xauth libgl1-mesa-dri)
 # CAD files: brings all of Open CASCADE's development packages; and the parts of demo.sh.
 cad=(libocct-data-exchange-dev zlib1g-dev occt-misc)
 vtk=(libvtk9-dev python3-vtk9)

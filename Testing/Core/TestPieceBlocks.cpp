@@ -4,6 +4,7 @@
 
 #include "BlockJudge.h"
 #include "RandomSheets.h"
+#include "SlowBuild.h"
 
 using footpoint::Curve;
 using footpoint::KnotVector;
@@ -12,11 +13,18 @@ using footpoint::Surface;
 using footpoint::Vector3;
 using namespace blocks;
 
+namespace
+{
+
+constexpr int kShare = kSlowBuild ? 5 : 1;
+
+} // namespace
+
 TEST(PieceBlocks, NothingOfABlockIsNearer)
 {
   Counts smooth;
   Counts rational;
-  for (int seed = 0; seed < 400; ++seed)
+  for (int seed = 0; seed < 400 / kShare; ++seed)
   {
     Random random(seed);
     std::string description;
@@ -30,14 +38,14 @@ TEST(PieceBlocks, NothingOfABlockIsNearer)
   // Some of them are folded, collapsed, rough or far from evenly parametrized.
   EXPECT_GT(smooth.blocks, 0.4 * smooth.pieces);
   EXPECT_GT(rational.blocks, 0.5 * rational.pieces);
-  EXPECT_GT(smooth.queries, 4000);
-  EXPECT_GT(rational.queries, 1000);
+  EXPECT_GT(smooth.queries, 3500 / kShare);
+  EXPECT_GT(rational.queries, 900 / kShare);
 }
 
 TEST(PieceBlocks, NothingOfABlockOfACurveIsNearer)
 {
   Counts counts;
-  for (int seed = 0; seed < 150; ++seed)
+  for (int seed = 0; seed < 150 / kShare; ++seed)
   {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     Random random(seed);
@@ -47,7 +55,7 @@ TEST(PieceBlocks, NothingOfABlockOfACurveIsNearer)
     judge(random, forms, curve.size(), 40, counts);
   }
   EXPECT_GT(counts.blocks, 0.75 * counts.pieces);
-  EXPECT_GT(counts.reached_flat, 15);
+  EXPECT_GT(counts.reached_flat, 15 / kShare);
 }
 
 TEST(PieceBlocks, TheBoundIsReachedWhereTheCurvatureIsConstant)

@@ -7,6 +7,7 @@
 
 #include "FootJudge.h"
 #include "RandomFaces.h"
+#include "SlowBuild.h"
 #include "TrimArcChecks.h"
 
 #include <gtest/gtest.h>
@@ -388,7 +389,7 @@ std::vector<TrimLoop> any_loops(shapes::Random& random)
 
 TEST(TrimCrossings, RandomLoops)
 {
-  const int queries = number_from("FOOTPOINT_TRIM_QUERIES", 3000);
+  const int queries = number_from("FOOTPOINT_TRIM_QUERIES", kSlowBuild ? 1000 : 3000);
   shapes::Random random(static_cast<std::uint64_t>(number_from("FOOTPOINT_TRIM_SEED", 1)));
   judge::Tally tally;
   int faces = 0;
