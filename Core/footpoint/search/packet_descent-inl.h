@@ -101,20 +101,27 @@ HWY_INLINE void evaluate_lanes(const Piece& piece, const Lanes* query, PlaceOf<L
     for (int j = 0; j <= q; ++j)
     {
       Lanes c(0.0);
-      Lanes cu = c;
-      Lanes cuu = c;
-      for (int i = 0; i <= p; ++i)
+      if (P == 0)
       {
-        const Lanes control(piece.net[4 * (i * (q + 1) + j) + k]);
-        c = multiply_add(row[0][i], control, c);
-        cu = multiply_add(row[1][i], control, cu);
-        cuu = multiply_add(row[2][i], control, cuu);
+        c = Lanes(piece.net[4 * j + k]);
+      }
+      else
+      {
+        Lanes cu = c;
+        Lanes cuu = c;
+        for (int i = 0; i <= p; ++i)
+        {
+          const Lanes control(piece.net[4 * (i * (q + 1) + j) + k]);
+          c = multiply_add(row[0][i], control, c);
+          cu = multiply_add(row[1][i], control, cu);
+          cuu = multiply_add(row[2][i], control, cuu);
+        }
+        sum[kSu] = multiply_add(column[0][j], cu, sum[kSu]);
+        sum[kSuu] = multiply_add(column[0][j], cuu, sum[kSuu]);
+        sum[kSuv] = multiply_add(column[1][j], cu, sum[kSuv]);
       }
       sum[kS] = multiply_add(column[0][j], c, sum[kS]);
-      sum[kSu] = multiply_add(column[0][j], cu, sum[kSu]);
-      sum[kSuu] = multiply_add(column[0][j], cuu, sum[kSuu]);
       sum[kSv] = multiply_add(column[1][j], c, sum[kSv]);
-      sum[kSuv] = multiply_add(column[1][j], cu, sum[kSuv]);
       sum[kSvv] = multiply_add(column[2][j], c, sum[kSvv]);
     }
     for (int entry = 0; entry < kJet; ++entry)
@@ -124,9 +131,9 @@ HWY_INLINE void evaluate_lanes(const Piece& piece, const Lanes* query, PlaceOf<L
   }
   if (Rational)
   {
-    divide_by_weight(place);
+    divide_by_weight<P>(place);
   }
-  complete(query, place);
+  complete<P>(query, place);
 }
 
 /// What a foot is made of, of the lanes whose bits are set.
@@ -269,7 +276,7 @@ HWY_NOINLINE void iterate_packet(Descent* const* packet, int size)
     if (done != 0)
     {
       PlaceOf<Lanes> end = place;
-      expand<Rational ? 4 : 3>(p, target, end);
+      expand<P, Rational ? 4 : 3>(p, target, end);
       unpack<Rational>(end, done, packet);
       for (unsigned rest = done; rest != 0; rest &= rest - 1)
       {

@@ -239,7 +239,7 @@ HWY_INLINE int iterate(
     }
     if (longest <= kShortStep && longest <= kFastDecrease * before)
     {
-      expand<Rational ? 4 : 3>(query.p, target, place);
+      expand<P, Rational ? 4 : 3>(query.p, target, place);
       steps = Steps::Done;
       return count;
     }
@@ -281,7 +281,7 @@ HWY_NOINLINE int go_on(const PieceQuery& query, const Range& range, int count, P
     {
       if (longest > 0.0)
       {
-        expand<4>(query.p, target, *place);
+        expand<P, 4>(query.p, target, *place);
       }
       break;
     }

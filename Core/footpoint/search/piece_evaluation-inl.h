@@ -162,8 +162,10 @@ struct PieceQuery
   double p[3]; ///< P, relative to the piece's origin
 };
 
+// Curves have degree 0 in u: what is by u is zero, and known to be when compiled (P = 0).
+
 /// The rest of an evaluation, from the jet. \param p the query, relative to the piece's origin
-template <class T>
+template <int P, class T>
 HWY_INLINE void complete(const T* p, PlaceOf<T>& place)
 {
   const auto& jet = place.jet;
@@ -172,6 +174,15 @@ HWY_INLINE void complete(const T* p, PlaceOf<T>& place)
     place.r[k] = jet[kS][k] - p[k];
   }
   place.squared = dot(place.r, place.r);
+  if (P == 0)
+  {
+    const T zero(0.0);
+    place.gradient = { { zero, dot(place.r, jet[kSv]) } };
+    place.metric[0] = zero;
+    place.metric[1] = dot(jet[kSv], jet[kSv]);
+    place.hessian = { { zero, zero, place.metric[1] + dot(place.r, jet[kSvv]) } };
+    return;
+  }
   place.gradient = { { dot(place.r, jet[kSu]), dot(place.r, jet[kSv]) } };
   place.metric[0] = dot(jet[kSu], jet[kSu]);
   place.metric[1] = dot(jet[kSv], jet[kSv]);
@@ -181,7 +192,7 @@ HWY_INLINE void complete(const T* p, PlaceOf<T>& place)
 }
 
 /// Solves the product rule for w·S (L. Piegl and W. Tiller 1997, A4.4).
-template <class T>
+template <int P, class T>
 HWY_INLINE void divide_by_weight(PlaceOf<T>& place)
 {
   auto& jet = place.jet;
@@ -191,14 +202,17 @@ HWY_INLINE void divide_by_weight(PlaceOf<T>& place)
   for (int k = 0; k < 3; ++k)
   {
     const T s = jet[kS][k] * inverse;
-    const T su = (jet[kSu][k] - wu * s) * inverse;
     const T sv = (jet[kSv][k] - wv * s) * inverse;
     jet[kS][k] = s;
-    jet[kSu][k] = su;
     jet[kSv][k] = sv;
-    jet[kSuu][k] = (jet[kSuu][k] - T(2.0) * wu * su - jet[kSuu][3] * s) * inverse;
-    jet[kSuv][k] = (jet[kSuv][k] - wu * sv - wv * su - jet[kSuv][3] * s) * inverse;
     jet[kSvv][k] = (jet[kSvv][k] - T(2.0) * wv * sv - jet[kSvv][3] * s) * inverse;
+    if (P != 0)
+    {
+      const T su = (jet[kSu][k] - wu * s) * inverse;
+      jet[kSu][k] = su;
+      jet[kSuu][k] = (jet[kSuu][k] - T(2.0) * wu * su - jet[kSuu][3] * s) * inverse;
+      jet[kSuv][k] = (jet[kSuv][k] - wu * sv - wv * su - jet[kSuv][3] * s) * inverse;
+    }
   }
 }
 
@@ -227,24 +241,31 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
     auto svv = s;
     for (int j = 0; j <= q; ++j)
     {
-      auto c = hn::Zero(tag);
-      auto cu = c;
-      auto cuu = c;
-      for (int i = 0; i <= p; ++i)
-      {
-        const auto control = hn::LoadU(tag, piece.net + 4 * (i * (q + 1) + j) + part);
-        c = hn::MulAdd(hn::Set(tag, row[0][i]), control, c);
-        cu = hn::MulAdd(hn::Set(tag, row[1][i]), control, cu);
-        cuu = hn::MulAdd(hn::Set(tag, row[2][i]), control, cuu);
-      }
       const auto b = hn::Set(tag, column[0][j]);
       const auto bv = hn::Set(tag, column[1][j]);
       const auto bvv = hn::Set(tag, column[2][j]);
+      auto c = hn::Zero(tag);
+      if (P == 0)
+      {
+        c = hn::LoadU(tag, piece.net + 4 * j + part);
+      }
+      else
+      {
+        auto cu = c;
+        auto cuu = c;
+        for (int i = 0; i <= p; ++i)
+        {
+          const auto control = hn::LoadU(tag, piece.net + 4 * (i * (q + 1) + j) + part);
+          c = hn::MulAdd(hn::Set(tag, row[0][i]), control, c);
+          cu = hn::MulAdd(hn::Set(tag, row[1][i]), control, cu);
+          cuu = hn::MulAdd(hn::Set(tag, row[2][i]), control, cuu);
+        }
+        su = hn::MulAdd(b, cu, su);
+        suu = hn::MulAdd(b, cuu, suu);
+        suv = hn::MulAdd(bv, cu, suv);
+      }
       s = hn::MulAdd(b, c, s);
-      su = hn::MulAdd(b, cu, su);
-      suu = hn::MulAdd(b, cuu, suu);
       sv = hn::MulAdd(bv, c, sv);
-      suv = hn::MulAdd(bv, cu, suv);
       svv = hn::MulAdd(bvv, c, svv);
     }
     hn::StoreU(s, tag, place.jet[kS] + part);
@@ -256,14 +277,14 @@ HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
   }
   if (Rational)
   {
-    divide_by_weight(place);
+    divide_by_weight<P>(place);
   }
-  complete(query.p, place);
+  complete<P>(query.p, place);
 }
 
 /// S and its derivatives a short step on, by Taylor's expansion about the place.
 /// \tparam Columns of the jet: 4 with w, 3 without
-template <int Columns, class T>
+template <int P, int Columns, class T>
 HWY_INLINE void expand(const T* p, const std::array<T, 2>& target, PlaceOf<T>& place)
 {
   const T du = target[0] - place.t[0];
@@ -271,6 +292,13 @@ HWY_INLINE void expand(const T* p, const std::array<T, 2>& target, PlaceOf<T>& p
   auto& jet = place.jet;
   for (int k = 0; k < Columns; ++k)
   {
+    if (P == 0)
+    {
+      const T by_v = jet[kSvv][k] * dv;
+      jet[kS][k] = jet[kS][k] + (jet[kSv][k] * dv + T(0.5) * (by_v * dv));
+      jet[kSv][k] = jet[kSv][k] + by_v;
+      continue;
+    }
     const T by_u = jet[kSuu][k] * du + jet[kSuv][k] * dv;
     const T by_v = jet[kSuv][k] * du + jet[kSvv][k] * dv;
     jet[kS][k] = jet[kS][k] + (jet[kSu][k] * du + jet[kSv][k] * dv + T(0.5) * (by_u * du + by_v * dv));
@@ -278,7 +306,7 @@ HWY_INLINE void expand(const T* p, const std::array<T, 2>& target, PlaceOf<T>& p
     jet[kSv][k] = jet[kSv][k] + by_v;
   }
   place.t = target;
-  complete(p, place);
+  complete<P>(p, place);
 }
 
 /// Calls a function with the degrees of a piece, as far as they have code of their own, and with
