@@ -3,18 +3,14 @@
 /// Feet on kinks, which are filled in from the derivatives on both sides: judged by brute force, by
 /// the surface on either side and by descents on the whole surface.
 
-#include "Inversion.h"
 #include "SlowBuild.h"
-
-#include "footpoint/model/certified_feet.h"
+#include "SurfaceFeet.h"
 
 #include <functional>
 
 using footpoint::CertifiedAnswer;
-using footpoint::CertifiedFeet;
 using footpoint::KnotVector;
 using footpoint::Points;
-using footpoint::SearchWorkspace;
 using footpoint::Side;
 using footpoint::Sides;
 using footpoint::Surface;
@@ -57,45 +53,6 @@ shapes::Arrays<2> creased(Random& random, bool rational)
   }
   return arrays;
 }
-
-/// The certified search of one surface alone.
-class Feet
-{
-public:
-  explicit Feet(const Surface& surface, bool reversed = false)
-    : Whole(patch_of(surface))
-    , Search({ { &this->Whole, 3, reversed, {}, nullptr, nullptr, nullptr } }, surface.centre(),
-        surface.size())
-  {
-  }
-
-  const CertifiedFeet& search() const { return this->Search; }
-  CertifiedAnswer answer(const Vector3& point) const
-  {
-    SearchWorkspace workspace;
-    CertifiedAnswer answer;
-    this->Search.find(point, std::numeric_limits<double>::infinity(), 1e-12, workspace, answer);
-    return answer;
-  }
-  /// Whether a query's foot is filled in at once.
-  bool is_plain(const Vector3& point, Foot& foot) const
-  {
-    const CertifiedAnswer found = this->answer(point);
-    if (!found.certified || found.count != 2)
-    {
-      return false;
-    }
-    Foot other;
-    const bool in_turn = this->Search.plain_kink_foot(found.feet[1], found.feet[0], other);
-    const bool is_plain = this->Search.plain_kink_foot(found.feet[0], found.feet[1], foot);
-    EXPECT_EQ(in_turn, is_plain);
-    return is_plain;
-  }
-
-private:
-  Patch Whole;
-  CertifiedFeet Search;
-};
 
 /// Mean of the unit normals on both sides of a line. \param t in the domain
 Vector3 mean_normal(const Surface& surface, const Parameter<2>& t, int across)

@@ -6,6 +6,8 @@
 #include "footpoint/search/certified_search.h"
 #include "footpoint/search/piece_start.h"
 
+#include <optional>
+
 namespace footpoint
 {
 
@@ -75,7 +77,16 @@ public:
   /// away from the query.
   bool plain_kink_foot(const PieceFoot& one, const PieceFoot& two, Foot& foot) const;
 
+  /// Whether what was found is one place where the parametrization stands still, a pole or the line of
+  /// a cusp, from which the distance rises to all sides: a minimum of the whole patch, exactly.
+  bool is_held(const CertifiedAnswer& answer) const;
+
 private:
+  bool is_held_at_pole(const CertifiedAnswer& answer) const;
+  bool rises_beside(const PieceFoot& foot, int across, int end) const;
+  bool is_held_at_cusp(const PieceFoot& one, const PieceFoot& two) const;
+  /// The direction across the line between two pieces on which two feet are one place.
+  std::optional<int> line_between(const PieceFoot& one, const PieceFoot& two) const;
   bool plain_edge_foot(const PieceFoot& found, Foot& foot) const;
   /// Of a patch, or of a curve twice the same.
   static const Direction& direction_of(const Patch& patch, int i)

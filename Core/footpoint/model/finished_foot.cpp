@@ -3,7 +3,6 @@
 
 #include "footpoint/model/edge_feet.h"
 #include "footpoint/model/evaluation.h"
-#include "footpoint/model/pole_normal.h"
 
 #include <algorithm>
 
@@ -68,7 +67,7 @@ void PointInverter::Implementation::settle_sign(Foot& foot, const Vector3& point
   Vector3 normal = Vector3::Zero();
   if (foot.type == FootType::Degenerate)
   {
-    normal = pole_normal(this->Prepared->model()[foot.face], foot.parameter);
+    normal = this->Prepared->pole_normals().at(foot.face, foot.parameter);
   }
   else if (neighbours && (foot.type == FootType::Edge || foot.type == FootType::Vertex))
   {

@@ -213,19 +213,22 @@ Foot PointInverter::Implementation::certified_foot(
     *same = a(0) < b(0) || (a(0) == b(0) && a(1) < b(1)) ? k : *same;
   }
   // A foot on the border of a piece need not be a minimum of the whole patch.
+  const bool is_certified = answer.certified && certified.complete();
+  const bool is_held = is_certified && certified.is_held(answer);
   std::vector<Candidate> feet;
   for (const int k : distinct)
   {
     const std::size_t patch = certified.member(answer.feet[k]);
     const PatchFoot found = certified.patch_foot(answer.feet[k]);
-    Candidate refined{ patch, this->Patches[patch].search->refine(point, found) };
+    const PatchSearch& search = *this->Patches[patch].search;
+    Candidate refined{ patch,
+      is_held ? search.classified(point, found) : search.refine(point, found) };
     if (this->Patches[patch].region && !this->counts(this->query(point, Sought::Minimum), refined))
     {
       refined.foot = found; // the way down led out of the face
     }
     feet.push_back(refined);
   }
-  const bool is_certified = answer.certified && certified.complete();
   if (!is_certified)
   {
     this->add_uncertified(point, !answer.certified, feet);

@@ -3,6 +3,7 @@
 
 #include "footpoint/model/evaluation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace footpoint
@@ -18,6 +19,23 @@ constexpr double kBesidePole = 1e-6;
 
 /// So near a collapsed side, as a fraction of the domain, a foot is at the pole.
 constexpr double kAtPole = 1e-9;
+
+/// Whether a face holds all that is beside the pole.
+bool is_surrounded(const Face& face, const Surface& surface, int around, int end)
+{
+  for (int k = 0; face.region && k < kPoleWedges; ++k)
+  {
+    Parameter<2> beside;
+    beside(around) = surface.direction(around).length * (k + 0.5) / kPoleWedges;
+    beside(1 - around) =
+      (end == 0 ? kBesidePole : 1.0 - kBesidePole) * surface.direction(1 - around).length;
+    if (!face.region->contains(beside(0), beside(1)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 } // namespace
 
@@ -52,35 +70,43 @@ Vector3 pole_fan(const Surface& surface, const Parameter<2>& from, int around, d
   return sum;
 }
 
-Vector3 pole_normal(const Face& face, const Parameter<2>& parameter)
+PoleNormals::PoleNormals(const Model& model)
 {
-  const auto* surface = face.patches.size() == 1
-    ? dynamic_cast<const Surface*>(face.patches.front().surface.get())
-    : nullptr;
-  for (int around = 0; surface && around < 2; ++around)
+  for (std::size_t k = 0; k < model.size(); ++k)
   {
-    const Direction& turn = surface->direction(around);
-    const Direction& out = surface->direction(1 - around);
-    const double fraction = (parameter(1 - around) - out.origin) / out.length;
-    const int end = fraction > 0.5;
-    if (std::abs(fraction - end) > kAtPole || !turn.closed || !out.collapsed[end])
+    const Face& face = model[k];
+    const auto* surface = face.patches.size() == 1
+      ? dynamic_cast<const Surface*>(face.patches.front().surface.get())
+      : nullptr;
+    for (int around = 0; surface && around < 2; ++around)
     {
-      continue;
-    }
-    Parameter<2> from = Parameter<2>::Zero();
-    from(1 - around) = end ? out.length : 0.0;
-    for (int k = 0; face.region && k < kPoleWedges; ++k)
-    {
-      Parameter<2> beside = from;
-      beside(around) = turn.length * (k + 0.5) / kPoleWedges;
-      beside(1 - around) = (end ? 1.0 - kBesidePole : kBesidePole) * out.length;
-      if (!face.region->contains(beside(0), beside(1)))
+      const Direction& turn = surface->direction(around);
+      const Direction& out = surface->direction(1 - around);
+      for (int end = 0; end < 2; ++end)
       {
-        return Vector3::Zero();
+        if (turn.closed && out.collapsed[end] && is_surrounded(face, *surface, around, end))
+        {
+          Parameter<2> from = Parameter<2>::Zero();
+          from(1 - around) = end == 0 ? 0.0 : out.length;
+          const Vector3 fan = pole_fan(*surface, from, around, turn.length);
+          this->Poles.push_back({ static_cast<int>(k), 1 - around, out.origin + from(1 - around),
+            kAtPole * out.length, face.reversed ? Vector3(-fan) : fan });
+        }
       }
     }
-    const Vector3 fan = pole_fan(*surface, from, around, turn.length);
-    return face.reversed ? Vector3(-fan) : fan;
+  }
+}
+
+Vector3 PoleNormals::at(int face, const Parameter<2>& parameter) const
+{
+  auto pole = std::lower_bound(this->Poles.begin(), this->Poles.end(), face,
+    [](const Pole& one, int number) { return one.face < number; });
+  for (; pole != this->Poles.end() && pole->face == face; ++pole)
+  {
+    if (std::abs(parameter(pole->across) - pole->at) <= pole->tolerance)
+    {
+      return pole->normal;
+    }
   }
   return Vector3::Zero();
 }

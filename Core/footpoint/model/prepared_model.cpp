@@ -111,6 +111,7 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
     members.push_back({ patch.patch, patch.face, this->Faces[patch.face].reversed, patch.shared,
       patch.region, patch.edge, patch.edge ? &edge_pieces[k - count] : nullptr });
   }
+  this->AtPoles = PoleNormals(this->Faces);
   if (has_neighbours(this->Faces))
   {
     this->Neighbours.emplace(this->Faces, this->Size);

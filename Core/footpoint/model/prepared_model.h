@@ -4,6 +4,7 @@
 #include "footpoint/model/certified_feet.h"
 #include "footpoint/model/face_neighbours.h"
 #include "footpoint/model/point_inversion.h"
+#include "footpoint/model/pole_normal.h"
 #include "footpoint/model/shared_borders.h"
 
 #include <memory>
@@ -56,6 +57,8 @@ public:
   /// Null where it was not asked for, or the model is empty.
   const CertifiedFeet* certified() const { return this->Certified ? &*this->Certified : nullptr; }
 
+  const PoleNormals& pole_normals() const { return this->AtPoles; }
+
   /// Null where no two faces can meet.
   const FaceNeighbours* neighbours() const { return this->Neighbours ? &*this->Neighbours : nullptr; }
 
@@ -72,6 +75,7 @@ private:
   double Size = 0.0;
   std::optional<CertifiedFeet> Certified;
   std::optional<FaceNeighbours> Neighbours;
+  PoleNormals AtPoles;
 };
 
 /// Builds from the model what queries with the options ask for.

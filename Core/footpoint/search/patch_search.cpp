@@ -169,6 +169,16 @@ public:
     return result;
   }
 
+  PatchFoot classified(const Vector3& point, const PatchFoot& foot) const override
+  {
+    const Vector3 query = this->local(point);
+    const FootConditions<N> conditions(this->Geometry, this->Solver);
+    PatchFoot result = foot;
+    result.type = conditions.classify(
+      make_frame<N>(this->Geometry, query, foot.local.head<N>(), foot.sides.head<N>()), query);
+    return result;
+  }
+
   bool orthogonal(const Vector3& point, const PatchFoot& foot) const override
   {
     LocalFoot<N> local;

@@ -100,6 +100,9 @@ public:
   /// foot itself, with its type, where that is no nearer.
   virtual PatchFoot refine(const Vector3& point, const PatchFoot& foot) const = 0;
 
+  /// A foot with its type, where it is known to be a minimum.
+  virtual PatchFoot classified(const Vector3& point, const PatchFoot& foot) const = 0;
+
   /// A box around the geometry (of its control points where it has some), in model coordinates.
   virtual Box box() const = 0;
 
