@@ -10,7 +10,8 @@ set -uo pipefail
 cd "$(dirname "$0")" || exit 1
 
 jobs=$(nproc)
-# What the two flavours have in common is compiled once; they differ in their folders only.
+# Core is the same for VTK and ParaView, but for folders: compiled once. (What is under sanitizers goes
+# past the cache, because of its precompiled headers.)
 export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 summary=()
 failed=0

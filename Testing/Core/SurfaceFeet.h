@@ -5,6 +5,8 @@
 
 #include "footpoint/model/certified_feet.h"
 
+#include <gtest/gtest.h>
+
 #include <limits>
 
 namespace inversion
@@ -29,8 +31,8 @@ public:
     this->Search.find(point, std::numeric_limits<double>::infinity(), 1e-12, workspace, answer);
     return answer;
   }
-  /// Whether a query's foot is filled in at once.
-  bool is_plain(const Vector3& point, Foot& foot) const
+  /// Whether a query's foot is on a kink and filled in at once.
+  bool is_plain_kink(const Vector3& point, Foot& foot) const
   {
     const footpoint::CertifiedAnswer found = this->answer(point);
     if (!found.certified || found.count != 2)

@@ -8,7 +8,12 @@
 
 #include "footpoint/search/patch_search.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
 
 using footpoint::CertifiedAnswer;
 using footpoint::KnotVector;
@@ -226,6 +231,8 @@ TEST(HeldFeet, TheLineOfACusp)
   };
   refuses("level across", [](PieceFoot& each) { each.hessian[0] = 0.0; });
   refuses("downhill across", [](PieceFoot& each) { each.hessian[0] = -each.hessian[0]; });
+  refuses("leads on across", [](PieceFoot& each)
+    { each.gradient[0] = (each.t[0] == 0.0 ? -1e-6 : 1e-6) * each.hessian[0]; });
   refuses("a kink", [](PieceFoot& each) { each.metric[0] = 1e-3; });
   refuses("no minimum along", [](PieceFoot& each) { each.gradient[1] = 1e-3; });
   refuses("flat along", [](PieceFoot& each) { each.hessian[2] = 1e-9 * each.metric[1]; });

@@ -109,7 +109,7 @@ TEST(PlainFeet, OnKinksAreThoseOfBothSides)
       const Vector3 query = query_over(random);
       const Foot foot = inverter.find(query);
       Foot filled;
-      const bool is_plain = feet.is_plain(query, filled);
+      const bool is_plain = feet.is_plain_kink(query, filled);
       const int across = foot.type == FootType::Kink ? line_at(arrays, foot.parameter) : -1;
       SCOPED_TRACE(::testing::Message() << "seed " << seed << ", query " << query.transpose()
                                         << ", foot " << foot.parameter.transpose());
@@ -190,7 +190,7 @@ TEST(PlainFeet, OnTheRidgeOfARoof)
   const Surface roof = prism({ { -1, 0, 0 }, { 0, 0, 1 }, { 2, 0, 0 } });
   Foot foot;
   const Vector3 query(0.1, 0.25, 3.0);
-  ASSERT_TRUE(Feet(roof).is_plain(query, foot));
+  ASSERT_TRUE(Feet(roof).is_plain_kink(query, foot));
   EXPECT_EQ(foot.type, FootType::Kink);
   EXPECT_EQ(foot.parameter, Parameter<2>(1.0, 0.25));
   EXPECT_EQ(foot.point, Vector3(0.0, 0.25, 1.0));
@@ -201,17 +201,17 @@ TEST(PlainFeet, OnTheRidgeOfARoof)
   EXPECT_LE((foot.direction - normal).norm(), 1e-15);
   EXPECT_EQ(foot.signed_distance, foot.distance);
   Foot reversed;
-  ASSERT_TRUE(Feet(roof, true).is_plain(query, reversed));
+  ASSERT_TRUE(Feet(roof, true).is_plain_kink(query, reversed));
   EXPECT_EQ(reversed.direction, -foot.direction);
   EXPECT_EQ(reversed.signed_distance, -foot.signed_distance);
   // Below it the sides are as near as each other: two feet, neither on the ridge.
   const Surface even = prism({ { -1, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 } });
   EXPECT_EQ(Feet(even).answer({ 0.0, 0.5, 0.5 }).count, 2);
-  EXPECT_FALSE(Feet(even).is_plain({ 0.0, 0.5, 0.5 }, foot));
+  EXPECT_FALSE(Feet(even).is_plain_kink({ 0.0, 0.5, 0.5 }, foot));
   // At its end the ridge is held by the border as well.
-  EXPECT_FALSE(Feet(roof).is_plain({ 0.0, -0.5, 3.0 }, foot));
+  EXPECT_FALSE(Feet(roof).is_plain_kink({ 0.0, -0.5, 3.0 }, foot));
   EXPECT_NE(PointInverter(model_of(roof)).find({ 0.0, -0.5, 3.0 }).type, FootType::Kink);
-  EXPECT_FALSE(Feet(roof).is_plain({ 0.0, 0.0, 3.0 }, foot));
+  EXPECT_FALSE(Feet(roof).is_plain_kink({ 0.0, 0.0, 3.0 }, foot));
 }
 
 TEST(PlainFeet, OnlyWhereBothSidesLeadAway)
@@ -298,7 +298,7 @@ TEST(PlainFeet, NotOnSeams)
     const double z[4] = { 1.9, 2.1, -1.9, -2.1 };
     const Vector3 query(x[k], 0.3, z[k]);
     Foot filled;
-    EXPECT_EQ(feet.is_plain(query, filled), k > 0) << k;
+    EXPECT_EQ(feet.is_plain_kink(query, filled), k > 0) << k;
     const Foot foot = inverter.find(query);
     EXPECT_EQ(foot.type, FootType::Kink);
     EXPECT_TRUE(foot.isolated);
@@ -320,17 +320,17 @@ TEST(PlainFeet, NotOnGapsAndFolds)
   const Vector3 query(0.1, 0.25, 3.0);
   Foot foot;
   EXPECT_EQ(Feet(gap).answer(query).count, 2);
-  EXPECT_FALSE(Feet(gap).is_plain(query, foot));
+  EXPECT_FALSE(Feet(gap).is_plain_kink(query, foot));
   EXPECT_NEAR(PointInverter(model_of(gap)).find(query).distance, std::hypot(0.1, 2.0), 1e-15);
   // Folded back onto itself there is no mean of the normals.
   const Surface fold = prism({ { -1, 0, 0 }, { 1, 0, 0 }, { -1, 0, 0 } });
   EXPECT_EQ(Feet(fold).answer({ 2, 0.5, 0.5 }).count, 2);
-  EXPECT_FALSE(Feet(fold).is_plain({ 2, 0.5, 0.5 }, foot));
+  EXPECT_FALSE(Feet(fold).is_plain_kink({ 2, 0.5, 0.5 }, foot));
   foot = PointInverter(model_of(fold)).find({ 2, 0.5, 0.5 });
   EXPECT_EQ(foot.type, FootType::Kink);
   EXPECT_NEAR(foot.direction.norm(), 1.0, 1e-15);
   // Over a smooth knot line feet are interior.
   const Surface flat = prism({ { -1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } });
-  EXPECT_FALSE(Feet(flat).is_plain({ 0, 0.5, 0.5 }, foot));
+  EXPECT_FALSE(Feet(flat).is_plain_kink({ 0, 0.5, 0.5 }, foot));
   EXPECT_EQ(PointInverter(model_of(flat)).find({ 0, 0.5, 0.5 }).type, FootType::Interior);
 }

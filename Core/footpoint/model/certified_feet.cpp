@@ -197,25 +197,22 @@ bool CertifiedFeet::at_one_pole(const PieceFoot& a, const PieceFoot& b) const
   {
     return false;
   }
-  const Patch& patch = *this->Members[this->member(a)].patch;
-  for (int i = 0; i < 2; ++i)
+  for (int k = 0; k < 4; ++k)
   {
-    const Direction& direction = direction_of(patch, i);
-    const auto at = [&](const PieceFoot& foot, int end)
+    if (this->at_pole(a, k / 2, k % 2) && this->at_pole(b, k / 2, k % 2))
     {
-      const Piece& piece = this->Search.piece(foot.piece);
-      return foot.t[i] == end &&
-        (end == 0 ? piece.lower[i] == 0.0 : piece.upper[i] == direction.length);
-    };
-    for (int end = 0; end < 2; ++end)
-    {
-      if (direction.collapsed[end] && at(a, end) && at(b, end))
-      {
-        return true;
-      }
+      return true;
     }
   }
   return false;
+}
+
+bool CertifiedFeet::at_pole(const PieceFoot& foot, int i, int end) const
+{
+  const Piece& piece = this->Search.piece(foot.piece);
+  const Direction& direction = direction_of(*this->Members[piece.patch].patch, i);
+  return direction.collapsed[end] && foot.t[i] == end &&
+    (end == 0 ? piece.lower[i] == 0.0 : piece.upper[i] == direction.length);
 }
 
 PatchFoot CertifiedFeet::patch_foot(const PieceFoot& foot) const

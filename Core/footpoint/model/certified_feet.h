@@ -78,10 +78,12 @@ public:
   bool plain_kink_foot(const PieceFoot& one, const PieceFoot& two, Foot& foot) const;
 
   /// Whether what was found is one place where the parametrization stands still, a pole or the line of
-  /// a cusp, from which the distance rises to all sides: a minimum of the whole patch, exactly.
+  /// a cusp, from which the distance rises to all sides: a minimum of the whole patch.
   bool is_held(const CertifiedAnswer& answer) const;
 
 private:
+  /// Whether a foot lies on the collapsed side of a patch at an end of direction i.
+  bool at_pole(const PieceFoot& foot, int i, int end) const;
   bool is_held_at_pole(const CertifiedAnswer& answer) const;
   bool rises_beside(const PieceFoot& foot, int across, int end) const;
   bool is_held_at_cusp(const PieceFoot& one, const PieceFoot& two) const;

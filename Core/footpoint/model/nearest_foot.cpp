@@ -212,7 +212,6 @@ Foot PointInverter::Implementation::certified_foot(
     const Parameter<2> b = certified.patch_foot(answer.feet[*same]).parameter;
     *same = a(0) < b(0) || (a(0) == b(0) && a(1) < b(1)) ? k : *same;
   }
-  // A foot on the border of a piece need not be a minimum of the whole patch.
   const bool is_certified = answer.certified && certified.complete();
   const bool is_held = is_certified && certified.is_held(answer);
   std::vector<Candidate> feet;
@@ -220,6 +219,7 @@ Foot PointInverter::Implementation::certified_foot(
   {
     const std::size_t patch = certified.member(answer.feet[k]);
     const PatchFoot found = certified.patch_foot(answer.feet[k]);
+    // A foot on the border of a piece need not be a minimum of the whole patch, unless it is held.
     const PatchSearch& search = *this->Patches[patch].search;
     Candidate refined{ patch,
       is_held ? search.classified(point, found) : search.refine(point, found) };

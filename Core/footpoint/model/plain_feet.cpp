@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The members of CertifiedFeet that tell what a foot is where a look at its own derivatives is enough.
+// The members of CertifiedFeet that fill in what a foot is where a look at its own derivatives is enough.
 #include "footpoint/model/certified_feet.h"
 
+#include "footpoint/model/plain_conditions.h"
 #include "footpoint/solvers/foot_conditions.h"
 
 #include <algorithm>
@@ -11,24 +12,6 @@
 
 namespace footpoint
 {
-namespace
-{
-
-/// A foot is plain where r is orthogonal to this cosine, or to this fraction of the size, …
-constexpr double kPlainCosine = 1e-12;
-constexpr double kPlainResidual = 1e-13;
-/// … where a boundary holds it with at least this cosine, …
-constexpr double kHeldCosine = 1e-6;
-/// … where the Hessian's smallest eigenvalue, in units of |S_i|, is above this, …
-constexpr double kPlainCurvature = 1e-5;
-/// … and where the sine between S_u and S_v is above this.
-constexpr double kPlainSine = 1e-6;
-
-/// Two pieces' feet on the line between them are one point where they are no farther apart than this part
-/// of the pieces.
-constexpr double kOnePlace = 1e-9;
-
-} // namespace
 
 Parameter<2> CertifiedFeet::domain_parameter(const PieceFoot& foot, const Piece& piece) const
 {
@@ -279,131 +262,6 @@ bool CertifiedFeet::plain_kink_foot(const PieceFoot& one, const PieceFoot& two, 
   foot.parameter = this->domain_parameter(one, *pieces[0]);
   foot.point = this->Centre + vector(one.position);
   foot.distance = one.distance;
-  return true;
-}
-
-bool CertifiedFeet::is_held(const CertifiedAnswer& answer) const
-{
-  return this->is_held_at_pole(answer) ||
-    (answer.count == 2 && this->is_held_at_cusp(answer.feet[0], answer.feet[1]));
-}
-
-/// With A = wS and S₀ the pole, A_i − S₀ w_i = Σ_j n B_j(t) w_j (P_j − S₀) across the collapsed side,
-/// for the row of control points P_j beside it: where all of them lie on the far side, E rises in all
-/// directions in which the surface leaves the pole.
-bool CertifiedFeet::is_held_at_pole(const CertifiedAnswer& answer) const
-{
-  if (answer.count == 0)
-  {
-    return false;
-  }
-  const PieceFoot& first = answer.feet[0];
-  const Piece& piece = this->Search.piece(first.piece);
-  const Member& member = this->Members[piece.patch];
-  if (member.patch->curve || member.region)
-  {
-    return false;
-  }
-  int across = 0;
-  const auto end_of = [](const PieceFoot& foot, int i) { return foot.t[i] == 1.0 ? 1 : 0; };
-  const auto at_pole = [&](const PieceFoot& foot, int i)
-  {
-    const Piece& its = this->Search.piece(foot.piece);
-    const Direction& direction = member.patch->surface->direction(i);
-    const int end = end_of(foot, i);
-    return its.patch == piece.patch && foot.t[i] == end && direction.collapsed[end] &&
-      (end == 0 ? its.lower[i] == 0.0 : its.upper[i] == direction.length);
-  };
-  across = at_pole(first, 0) ? 0 : 1;
-  const int end = end_of(first, across);
-  double covered = 0.0;
-  for (int k = 0; k < answer.count; ++k)
-  {
-    const PieceFoot& foot = answer.feet[k];
-    const auto before = answer.feet.begin() + k;
-    if (!at_pole(foot, across) || end_of(foot, across) != end ||
-      std::any_of(answer.feet.begin(), before,
-        [&foot](const PieceFoot& other) { return other.piece == foot.piece; }) ||
-      !this->rises_beside(foot, across, end))
-    {
-      return false;
-    }
-    covered += this->Search.piece(foot.piece).width[1 - across];
-  }
-  const double around = member.patch->surface->direction(1 - across).length;
-  return std::abs(covered - around) <= kOnePlace * around;
-}
-
-/// Whether all control points next to a side that is one point lie away from the query.
-bool CertifiedFeet::rises_beside(const PieceFoot& foot, int across, int end) const
-{
-  const Piece& piece = this->Search.piece(foot.piece);
-  const int rows = piece.shape->degree[0] + 1;
-  const int columns = piece.shape->degree[1] + 1;
-  const int beside = end == 0 ? 1 : (across == 0 ? rows : columns) - 2;
-  const Vector3 pole = vector(foot.position) - vector(piece.origin);
-  const Vector3 offset = vector(foot.offset);
-  const double steep = kHeldCosine * std::max(foot.distance, this->Size);
-  const double shortest = kStalledSpeed *
-    direction_of(*this->Members[piece.patch].patch, across).speed * piece.width[across];
-  for (int k = 0; k < (across == 0 ? columns : rows); ++k)
-  {
-    const int index = across == 0 ? beside * columns + k : k * columns + beside;
-    const Eigen::Map<const Eigen::Vector4d> control(piece.net + 4 * index);
-    const Vector3 way = (piece.shape->rational ? Vector3(control.head<3>() / control(3))
-                                               : Vector3(control.head<3>())) - pole;
-    const double length = way.norm();
-    if (!(length > shortest && offset.dot(way) > steep * length))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Where the parametrization stands still the slope says nothing; the Hessian of either side does.
-bool CertifiedFeet::is_held_at_cusp(const PieceFoot& one, const PieceFoot& two) const
-{
-  const std::optional<int> between = this->line_between(one, two);
-  if (!between)
-  {
-    return false;
-  }
-  const int across = *between;
-  const int along = 1 - across;
-  const double nearly = std::max(kPlainCosine * one.distance, kPlainResidual * this->Size);
-  const double steep = kHeldCosine * std::max(one.distance, this->Size);
-  for (const PieceFoot* foot : { &one, &two })
-  {
-    const Piece& piece = this->Search.piece(foot->piece);
-    const Patch& patch = *this->Members[piece.patch].patch;
-    const double speed = direction_of(patch, across).speed * piece.width[across];
-    const double slowest = kStalledSpeed * direction_of(patch, along).speed * piece.width[along];
-    const double metric = foot->metric[along];
-    if (!(foot->metric[across] <= kStalledSpeed * kStalledSpeed * speed * speed &&
-          metric > slowest * slowest))
-    {
-      return false;
-    }
-    const double t = foot->t[along];
-    const double slope = foot->gradient[along];
-    const double inward = t == 0.0 ? slope : -slope;
-    const bool is_held = (t == 0.0 || t == 1.0) &&
-      piece.sides[along][t == 1.0] == PieceSide::Boundary && inward > 0.0 &&
-      slope * slope > steep * steep * metric;
-    if (!is_held && !(t > 0.0 && t < 1.0 && slope * slope <= nearly * nearly * metric))
-    {
-      return false;
-    }
-    const double a = foot->hessian[2 * across];
-    const double c = is_held ? metric : foot->hessian[2 * along];
-    const double b = is_held ? 0.0 : foot->hessian[1];
-    if (!(a > kPlainCurvature * foot->distance * speed && c > kPlainCurvature * metric &&
-          a * c - b * b > kPlainCurvature * a * c))
-    {
-      return false;
-    }
-  }
   return true;
 }
 

@@ -23,7 +23,11 @@ constexpr double kAtPole = 1e-9;
 /// Whether a face holds all that is beside the pole.
 bool is_surrounded(const Face& face, const Surface& surface, int around, int end)
 {
-  for (int k = 0; face.region && k < kPoleWedges; ++k)
+  if (!face.region)
+  {
+    return true;
+  }
+  for (int k = 0; k < kPoleWedges; ++k)
   {
     Parameter<2> beside;
     beside(around) = surface.direction(around).length * (k + 0.5) / kPoleWedges;

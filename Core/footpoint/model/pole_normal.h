@@ -33,8 +33,8 @@ private:
   {
     int face;
     int across; ///< the direction in which the pole is an end
-    double at;  ///< its parameter there …
-    double tolerance;
+    double at;  ///< its parameter there, …
+    double tolerance; ///< … within this
     Vector3 normal;
   };
   std::vector<Pole> Poles; ///< in the order of faces
