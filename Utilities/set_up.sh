@@ -1,7 +1,8 @@
 #!/bin/bash
 # Installs what one flavour of the build needs on Debian 12 (bookworm):
 #
-#   Utilities/set_up.sh vtk         compiler, Eigen, GoogleTest, Open CASCADE, VTK 9.1, Open MPI, Xvfb
+#   Utilities/set_up.sh vtk         compiler and its cache, Eigen, GoogleTest, Open CASCADE, VTK 9.1,
+#                                   Open MPI, Xvfb
 #   Utilities/set_up.sh paraview    the same tools, and ParaView 5.11 in a private folder, with what
 #                                   its help pages and the tests of its window need
 #   Utilities/set_up.sh benchmarks  as vtk, and what Testing/Benchmarks needs and compares with

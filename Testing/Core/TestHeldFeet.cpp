@@ -200,7 +200,8 @@ TEST(HeldFeet, TheLineOfACusp)
   int held = 0;
   for (int k = 0; k < 1000 / kShare; ++k)
   {
-    const Vector3 query(random.uniform(-2.0, 0.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 1.5));
+    const Vector3 query(
+      random.uniform(-2.0, 0.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 1.5));
     const CertifiedAnswer answer = feet.answer(query);
     if (answer.certified && feet.search().is_held(answer))
     {

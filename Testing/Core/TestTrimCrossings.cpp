@@ -2,7 +2,8 @@
 
 // Loops that cross, touch or overlap each other or themselves: only what bounds the kept region is an
 // edge. Closed forms, and an oracle by brute force. Set in the environment
-//   FOOTPOINT_TRIM_QUERIES  how many queries are made of random faces (3000 by default, 1000 in slow builds)
+//   FOOTPOINT_TRIM_QUERIES  how many queries are made of random faces (3000 by default, 1000 in slow
+//                           builds)
 //   FOOTPOINT_TRIM_SEED     other faces: any number, 1 by default
 
 #include "FootJudge.h"

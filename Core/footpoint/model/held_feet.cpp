@@ -37,8 +37,7 @@ bool CertifiedFeet::is_held_at_pole(const CertifiedAnswer& answer) const
     return false;
   }
   const PieceFoot& first = answer.feet[0];
-  const Piece& piece = this->Search.piece(first.piece);
-  const Member& member = this->Members[piece.patch];
+  const Member& member = this->Members[this->member(first)];
   if (member.patch->curve || member.region)
   {
     return false;
@@ -134,8 +133,8 @@ bool CertifiedFeet::is_held_at_cusp(const PieceFoot& one, const PieceFoot& two) 
     const double b = held ? 0.0 : foot->hessian[1];
     // What slope there is leads no farther on than to the same place.
     const double uphill = foot->t[across] == 0.0 ? foot->gradient[across] : -foot->gradient[across];
-    if (!(uphill >= -kOnePlace * a && a > kPlainCurvature * foot->distance * speed && c > kPlainCurvature * metric &&
-          a * c - b * b > kPlainCurvature * a * c))
+    if (!(uphill >= -kOnePlace * a && a > kPlainCurvature * foot->distance * speed &&
+          c > kPlainCurvature * metric && a * c - b * b > kPlainCurvature * a * c))
     {
       return false;
     }
