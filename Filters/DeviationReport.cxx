@@ -112,12 +112,14 @@ DeviationReport::DeviationReport(const Model& model, vtkIdType count)
 {
 }
 
-void DeviationReport::reduce(double tolerance, const Reduction& reduction)
+void DeviationReport::reduce(
+  double tolerance, const Reduction& reduction, const Execution& execution)
 {
-  this->OfAll = this->Distances.of_all(tolerance, reduction);
+  this->OfAll = this->Distances.of_all(tolerance, reduction, execution);
   // The feet of all points with a distance are on the only face.
-  this->OfFaces = this->Geometry.size() == 1 ? std::vector<DeviationStatistics>{ this->OfAll }
-                                             : this->Distances.of_faces(tolerance, reduction);
+  this->OfFaces = this->Geometry.size() == 1
+    ? std::vector<DeviationStatistics>{ this->OfAll }
+    : this->Distances.of_faces(tolerance, reduction, execution);
 }
 
 void DeviationReport::write_fields(

@@ -28,7 +28,7 @@ public:
   void add(const Foot& foot) { this->Distances.add(foot); }
 
   /// Collective: puts the statistics of all ranks together, the same on each.
-  void reduce(double tolerance, const Reduction& reduction);
+  void reduce(double tolerance, const Reduction& reduction, const Execution& execution);
 
   /// Writes `DistanceCount` … `OutOfToleranceFraction` and `OpenEdges` with the prefix before their
   /// names.

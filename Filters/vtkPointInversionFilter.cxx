@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointInversionFilter.h"
 
+#include "AlgorithmExecution.h"
 #include "PointInversionInternals.h"
 #include "StructuredOutput.h"
 
@@ -234,7 +235,8 @@ int vtkPointInversionFilter::RequestData(
 
   // === Attach
   DeviationReport& report = record->report();
-  report.reduce(Internals::Limit(this->DeviationTolerance), ranks.reduction());
+  report.reduce(Internals::Limit(this->DeviationTolerance), ranks.reduction(),
+    make_execution(this, 1.0, 0.0));
   record->attach();
   record->fill_foot_points(vtkPolyData::GetData(outputs, 1));
   report.write_fields(layout.prefix, inverter.number_of_open_edges(), output->GetFieldData());

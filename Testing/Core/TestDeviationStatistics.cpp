@@ -2,6 +2,8 @@
 
 #include "footpoint/model/deviation_statistics.h"
 
+#include "InThreads.h"
+
 #include <gtest/gtest.h>
 
 #include <condition_variable>
@@ -251,6 +253,33 @@ TEST(DeviationStatistics, AreTheSameForAnyNumberOfProcesses)
     for (std::thread& thread : threads)
     {
       thread.join();
+    }
+  }
+}
+
+/// More values than one thread takes at a time: one face with most of them, many with a few.
+TEST(DeviationStatistics, AreTheSameForAnyNumberOfThreads)
+{
+  constexpr int kFaces = 150;
+  std::mt19937 generator(5);
+  Deviations deviations(kFaces);
+  for (int k = 0; k < 150000; ++k)
+  {
+    const double size = std::ldexp(1.0, static_cast<int>(generator() % 40) - 20);
+    Foot foot = foot_at(size * (generator() / 4294967296.0 - 0.3));
+    foot.face = generator() % 3 != 0 ? 7 : static_cast<int>(generator() % kFaces);
+    deviations.add(foot);
+  }
+  const DeviationStatistics of_all = deviations.of_all(0.5);
+  const std::vector<DeviationStatistics> of_faces = deviations.of_faces(0.5);
+  EXPECT_EQ(of_all.count, 150000);
+  for (const int threads : { 2, 3, 16 })
+  {
+    expect_same_bits(deviations.of_all(0.5, {}, in_threads(threads)), of_all);
+    const auto faces = deviations.of_faces(0.5, {}, in_threads(threads));
+    for (std::size_t face = 0; face < of_faces.size(); ++face)
+    {
+      expect_same_bits(faces[face], of_faces[face]);
     }
   }
 }

@@ -95,6 +95,7 @@ TEST(ExactSum, IsTheSameForAnyOrderAndAnyParts)
   {
     std::shuffle(values.begin(), values.end(), generator);
     ExactSum::Numbers all{};
+    ExactSum joined;
     for (std::size_t p = 0; p < parts; ++p)
     {
       ExactSum part;
@@ -104,7 +105,9 @@ TEST(ExactSum, IsTheSameForAnyOrderAndAnyParts)
       }
       const ExactSum::Numbers numbers = part.numbers();
       std::transform(all.begin(), all.end(), numbers.begin(), all.begin(), std::plus<>());
+      joined.add(part);
     }
+    EXPECT_EQ(joined.value(), sum);
     EXPECT_EQ(ExactSum::from_numbers(all).value(), sum);
   }
 }

@@ -3,6 +3,7 @@
 // What PointInverter offers beyond the nearest foot of one point: all feet, directions, faces,
 // patches, batches, sequences, starts and searches.
 
+#include "InThreads.h"
 #include "Inversion.h"
 
 #include <algorithm>
@@ -341,6 +342,28 @@ TEST(Batch, ManyPointsKeepTheirOrder)
     different += !identical(result.feet[k], inverter.find(points.col(k)));
     different += !identical(result.feet[k], reversed.feet[kCount - 1 - k]);
   }
+  EXPECT_EQ(different, 0);
+}
+
+/// More points than are sorted at once, of which each has its foot right below it.
+TEST(Batch, AMillionPointsInThreadsKeepTheirOrder)
+{
+  const PointInverter inverter(model_of(plate(0, 1)));
+  const Points points = random_points((1 << 20) + 100, 17, 0, 1);
+  std::int64_t next = 0;
+  std::int64_t different = 0;
+  footpoint::invert(inverter, points, {}, in_threads(3),
+    [&](std::int64_t first, const InversionResult& part)
+    {
+      different += first != next;
+      for (const Foot& foot : part.feet)
+      {
+        const Vector3 point = points.col(next++);
+        different += foot.status != Status::Certified ||
+          (foot.point - Vector3(point(0), point(1), 0)).norm() > 1e-12;
+      }
+    });
+  EXPECT_EQ(next, points.cols());
   EXPECT_EQ(different, 0);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tessellation at its limits: scales, geometry that is a point, bad options, cancelling, threads.
+#include "InThreads.h"
 #include "TessellationChecks.h"
 
 #include "footpoint/tessellation/derivative_bounds.h"
 
 #include <gtest/gtest.h>
-
-#include <thread>
 
 using namespace footpoint;
 using namespace tessellations;
@@ -110,21 +109,7 @@ TEST(Tessellation, SameBitsForAnyThreads)
     model.insert(model.end(), solid.faces.begin(), solid.faces.end());
   }
   const Tessellation serial = tessellate(model, chord(1e-3, 0.5));
-  Execution threads;
-  threads.parallel_for =
-    [](std::int64_t n, const std::function<void(std::int64_t, std::int64_t)>& body)
-  {
-    std::vector<std::thread> all;
-    for (std::int64_t k = 0; k < 3; ++k)
-    {
-      all.emplace_back([&body, n, k] { body(n * k / 3, n * (k + 1) / 3); });
-    }
-    for (std::thread& thread : all)
-    {
-      thread.join();
-    }
-  };
-  const Tessellation parallel = tessellate(model, chord(1e-3, 0.5), threads);
+  const Tessellation parallel = tessellate(model, chord(1e-3, 0.5), in_threads(3));
   EXPECT_TRUE(serial.points == parallel.points);
   EXPECT_TRUE(serial.normals == parallel.normals);
   EXPECT_TRUE(serial.parameters == parallel.parameters);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boundaries.h"
+#include "InThreads.h"
 
 #include "footpoint/grids/transfinite.h"
 #include "footpoint/grids/transfinite_kernel.h"
 #include "footpoint/splines/curve.h"
 
 #include <memory>
-#include <thread>
 
 using namespace boundaries;
 using footpoint::assemble_sides;
@@ -276,15 +276,7 @@ TEST(Transfinite, KernelIsTheSameForAllMemoryAndThreads)
   transfinite_kernel(boundary.sides, fresh.data());
   transfinite_kernel(boundary.sides, streamed.data(), OutputMemory::Written);
   transfinite_kernel(boundary.sides, shifted.data() + 1, OutputMemory::Written);
-  Execution two_threads;
-  two_threads.parallel_for =
-    [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
-  {
-    std::thread other([&] { body(0, count / 2); });
-    body(count / 2, count);
-    other.join();
-  };
-  transfinite_kernel(boundary.sides, threaded.data(), OutputMemory::Written, two_threads);
+  transfinite_kernel(boundary.sides, threaded.data(), OutputMemory::Written, in_threads(2));
   EXPECT_TRUE(fresh == streamed);
   EXPECT_TRUE(std::equal(fresh.begin(), fresh.begin() + size, shifted.begin() + 1));
   EXPECT_TRUE(fresh == threaded);

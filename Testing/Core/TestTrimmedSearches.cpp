@@ -4,13 +4,13 @@
 // forms; and that the feet do not depend on threads, blocks or order.
 
 #include "ClosedSolids.h"
+#include "InThreads.h"
 #include "Inversion.h"
 #include "RandomFaces.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <thread>
 
 namespace
 {
@@ -139,25 +139,6 @@ bool same_bits(const Foot& a, const Foot& b)
   const std::vector<double> first = bits(a);
   const std::vector<double> second = bits(b);
   return std::memcmp(first.data(), second.data(), first.size() * sizeof(double)) == 0;
-}
-
-footpoint::Execution in_threads(int threads)
-{
-  footpoint::Execution execution;
-  execution.parallel_for =
-    [threads](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
-  {
-    std::vector<std::thread> pool;
-    for (int k = 0; k < threads; ++k)
-    {
-      pool.emplace_back(body, count * k / threads, count * (k + 1) / threads);
-    }
-    for (std::thread& thread : pool)
-    {
-      thread.join();
-    }
-  };
-  return execution;
 }
 
 TEST(TrimmedThreads, SameBitsForAnySplitAndOrder)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/common/exact_sum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 
 namespace footpoint
@@ -47,6 +49,17 @@ void ExactSum::add(double value)
   this->Words[word] += sign * static_cast<std::int64_t>(low & kMask);
   this->Words[word + 1] += sign * static_cast<std::int64_t>((low >> 32) + (high & kMask));
   this->Words[word + 2] += sign * static_cast<std::int64_t>(high >> 32);
+  if (++this->Pending >= kMostPending)
+  {
+    this->carry();
+  }
+}
+
+void ExactSum::add(const ExactSum& other)
+{
+  const Numbers numbers = other.numbers(); // as small as what a value adds
+  std::transform(this->Words.begin(), this->Words.end(), numbers.begin(), this->Words.begin(),
+    std::plus<>());
   if (++this->Pending >= kMostPending)
   {
     this->carry();

@@ -19,6 +19,7 @@ public:
   using Numbers = std::array<std::int64_t, kNumbers>;
 
   void add(double value);
+  void add(const ExactSum& other);
 
   /// The sum as integers: to be added number by number to those of up to 2³⁰ other sums, which
   /// makes their common sum.

@@ -19,6 +19,8 @@ namespace
 /// in some milliseconds. (On a surface of 300 × 300 spans random points take 13 µs each one by one,
 /// 10 in blocks of 8192, 8 in blocks of this size.)
 constexpr std::int64_t kBlock = 32768;
+/// So many blocks are sorted at once, by several threads; a millisecond and 128 KiB each.
+constexpr std::int64_t kSortedAtOnce = 32;
 
 /// Time between two looks at progress and cancellation: long enough to keep threads busy, short for
 /// a user who waits. How many points that is depends on geometry and points by powers of ten, so
@@ -26,7 +28,7 @@ constexpr std::int64_t kBlock = 32768;
 constexpr std::chrono::milliseconds kInterval{ 100 };
 constexpr std::chrono::milliseconds kLatest{ 400 };
 constexpr std::int64_t kFirstPiece = 64;
-constexpr std::int64_t kLargestPiece = 8192;
+constexpr std::int64_t kLargestPiece = kBlock;
 constexpr double kGrowth = 8.0;
 /// The clock is looked at so often in a piece of the usual points: to ask it for each would take
 /// some percent of the time of fast queries.
@@ -134,6 +136,27 @@ std::vector<std::int32_t> order_along_curve(const Eigen::Ref<const Points>& poin
   return order;
 }
 
+/// The orders of all points of up to kSortedAtOnce blocks, the first of which begins at `begin`.
+std::vector<std::vector<std::int32_t>> orders_of_blocks(
+  const Eigen::Ref<const Points>& points, std::int64_t begin, const Execution& execution)
+{
+  const std::int64_t rest = points.cols() - begin;
+  std::vector<std::vector<std::int32_t>> orders(
+    std::min((rest + kBlock - 1) / kBlock, kSortedAtOnce));
+  const auto sort = [&](std::int64_t from, std::int64_t to)
+  {
+    for (std::int64_t k = from; k < to; ++k)
+    {
+      const std::int64_t first = k * kBlock;
+      orders[k] = order_along_curve(
+        points.middleCols(begin + first, std::min(kBlock, rest - first)));
+    }
+  };
+  const auto count = static_cast<std::int64_t>(orders.size());
+  count > 1 ? execution.parallel_for(count, sort) : sort(0, count);
+  return orders;
+}
+
 /// How many points to go on with between two looks at progress.
 class Pace
 {
@@ -169,11 +192,17 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
   const bool all = wants_all(inverter.options());
   const std::int64_t count = points.cols();
   InversionResult result; // of one block
+  std::vector<std::vector<std::int32_t>> orders;
   Pace pace;
   for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += kBlock)
   {
     const std::int64_t block = std::min(kBlock, count - begin);
-    std::vector<std::int32_t> order = order_along_curve(points.middleCols(begin, block));
+    const std::int64_t number = begin / kBlock % kSortedAtOnce;
+    if (number == 0)
+    {
+      orders = orders_of_blocks(points, begin, execution);
+    }
+    std::vector<std::int32_t>& order = orders[number];
     result.feet.resize(block);
     std::vector<std::vector<Foot>> every(all ? block : 0);
     std::vector<char> reached(block, 0); // no bool, of which threads would share words

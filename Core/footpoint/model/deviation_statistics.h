@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/common/reduction.h"
 #include "footpoint/model/point_inversion.h"
 
@@ -28,7 +29,7 @@ struct DeviationStatistics
 /// kept by faces.
 ///
 /// All results have the same bits whatever the order of the points and however they are shared out
-/// among processes: sums are exact until they are rounded (see ExactSum), and the percentile is
+/// among threads and processes: sums are exact until they are rounded (see ExactSum), and the percentile is
 /// found digit by digit from counts, with no number sent elsewhere. Beside the numbers it takes a
 /// fixed amount of memory.
 class Deviations
@@ -48,13 +49,14 @@ public:
 
   /// Of all points of all processes.
   /// \param tolerance limit of |distance| in model units; infinity: nothing is out of tolerance
+  /// \param execution only its parallel_for is used
   DeviationStatistics of_all(double tolerance = std::numeric_limits<double>::infinity(),
-    const Reduction& reduction = {}) const;
+    const Reduction& reduction = {}, const Execution& execution = {}) const;
 
   /// Of the points with their foot on each face, by face.
   std::vector<DeviationStatistics> of_faces(
-    double tolerance = std::numeric_limits<double>::infinity(),
-    const Reduction& reduction = {}) const;
+    double tolerance = std::numeric_limits<double>::infinity(), const Reduction& reduction = {},
+    const Execution& execution = {}) const;
 
   struct Part
   {
