@@ -53,12 +53,27 @@ int cores_of_machine(int own_cores)
 
 using Loop = std::function<void(std::int64_t, std::int64_t)>;
 
+/// Ranges that each thread gets on average where nothing else is asked for. The back end STDThread would
+/// make four, and threads that are done with theirs wait for the others, which may have the harder points.
+constexpr std::int64_t kRangesOfThread = 16;
+
+std::int64_t usual_grain(std::int64_t count)
+{
+  if (vtkSMPTools::GetBackend() != std::string("STDThread"))
+  {
+    return 0; // TBB shares out ranges as threads become free
+  }
+  return std::max<std::int64_t>(
+    count / (kRangesOfThread * vtkSMPTools::GetEstimatedNumberOfThreads()), 1);
+}
+
 /// Keeps the first exception of any thread for the one that waits: out of a thread of its own, it
 /// would end the program.
 void run_with_vtk_threads(std::int64_t count, std::int64_t grain, const Loop& body)
 {
   std::mutex guard;
   std::exception_ptr failure;
+  grain = grain > 0 ? grain : usual_grain(count);
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(grain),
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -43,7 +43,8 @@ ThreadSettings current_thread_settings();
 
 /// Calls `body(begin, end)` for disjoint ranges that cover [0, count), on threads by the plan. An
 /// exception comes out on the calling thread, when all are done.
-/// \param grain numbers that a range has at least; 0: as the back end likes
+/// \param grain numbers that a range has at least; 0: a share of them, small enough that no
+///              thread waits long for another
 void run_parallel(std::int64_t count, std::int64_t grain,
   const std::function<void(std::int64_t begin, std::int64_t end)>& body);
 

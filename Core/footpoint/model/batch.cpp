@@ -7,7 +7,10 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <numeric>
+#include <utility>
 
 namespace footpoint
 {
@@ -33,6 +36,8 @@ constexpr double kGrowth = 8.0;
 /// The clock is looked at so often in a piece of the usual points: to ask it for each would take
 /// some percent of the time of fast queries.
 constexpr std::int64_t kLooks = 64;
+/// And after so many points at the latest, the next of which may take a thousand times as long.
+constexpr std::int64_t kLongestStride = 128;
 
 /// Points whose feet are sought together: enough for some of them to meet on one piece.
 constexpr std::int64_t kGroup = 32;
@@ -157,6 +162,36 @@ std::vector<std::vector<std::int32_t>> orders_of_blocks(
   return orders;
 }
 
+/// Workspaces of the ranges that threads work on, kept for the next ones: memory that goes back to the
+/// system comes back page by page.
+class Workspaces
+{
+public:
+  using Pointer = std::unique_ptr<PointInverter::Workspace>;
+
+  Pointer take()
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (this->Idle.empty())
+    {
+      return std::make_unique<PointInverter::Workspace>();
+    }
+    Pointer workspace = std::move(this->Idle.back());
+    this->Idle.pop_back();
+    return workspace;
+  }
+
+  void give_back(Pointer workspace)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    this->Idle.push_back(std::move(workspace));
+  }
+
+private:
+  std::mutex Guard;
+  std::vector<Pointer> Idle;
+};
+
 /// How many points to go on with between two looks at progress.
 class Pace
 {
@@ -193,6 +228,7 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
   const std::int64_t count = points.cols();
   InversionResult result; // of one block
   std::vector<std::vector<std::int32_t>> orders;
+  Workspaces workspaces;
   Pace pace;
   for (std::int64_t begin = 0; begin < count && !result.cancelled; begin += kBlock)
   {
@@ -212,8 +248,9 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
       execution.parallel_for(piece,
         [&](std::int64_t from, std::int64_t to)
         {
-          PointInverter::Workspace workspace;
-          const std::int64_t stride = std::max<std::int64_t>(pace.piece() / kLooks, 1);
+          Workspaces::Pointer workspace = workspaces.take();
+          const std::int64_t stride =
+            std::clamp<std::int64_t>(pace.piece() / kLooks, 1, kLongestStride);
           const std::int64_t most = std::min(kGroup, stride); // few where points take long
           std::int64_t look = from;
           std::vector<Start> group_starts;
@@ -240,7 +277,7 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
                 group_starts.push_back(starts[k]);
               }
             }
-            inverter.find(group.leftCols(size), group_starts, workspace, feet);
+            inverter.find(group.leftCols(size), group_starts, *workspace, feet);
             for (std::int64_t j = 0; j < size; ++j)
             {
               const std::int32_t k = next[i + j];
@@ -253,6 +290,7 @@ void invert(const PointInverter& inverter, const Eigen::Ref<const Points>& point
               reached[k] = 1;
             }
           }
+          workspaces.give_back(std::move(workspace));
         });
       // What was too late for this piece goes first in the next one.
       const auto rest =
