@@ -56,6 +56,34 @@ Model model_of(const Geometries&... geometries)
   return { face_of(geometries)... };
 }
 
+/// The rectangle z = height over [x0, x1] × [0, 1], parameters x and y.
+inline footpoint::Surface plate(double x0, double x1, double height = 0.0, double slope = 0.0)
+{
+  const double rise = slope * (x1 - x0);
+  return footpoint::Surface(footpoint::KnotVector(1, { x0, x0, x1, x1 }, "KnotsU"),
+    footpoint::KnotVector(1, { 0, 0, 1, 1 }, "KnotsV"),
+    shapes::points({ { x0, 0, height }, { x1, 0, height + rise }, { x0, 1, height },
+      { x1, 1, height + rise } }));
+}
+
+inline footpoint::Points random_points(int count, std::uint64_t seed, double low, double high)
+{
+  shapes::Random random(seed);
+  footpoint::Points points(3, count);
+  for (int k = 0; k < count; ++k)
+  {
+    points.col(k) = random.vector(low, high);
+  }
+  return points;
+}
+
+inline InversionOptions searching(footpoint::Search search)
+{
+  InversionOptions options;
+  options.search = search;
+  return options;
+}
+
 inline InversionOptions all_feet()
 {
   InversionOptions options;
