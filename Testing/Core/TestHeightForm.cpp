@@ -80,7 +80,8 @@ template <int P, int Q>
 bool proves(const Piece& piece, const HeightView& view)
 {
   using Form = HeightForm<P, Q>;
-  std::vector<double> memory(Form::size(*piece.shape), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> memory(
+    Form::size_of_memory(*piece.shape), std::numeric_limits<double>::quiet_NaN());
   return Form::proves(piece, view, memory.data());
 }
 

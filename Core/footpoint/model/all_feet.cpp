@@ -125,11 +125,13 @@ void PointInverter::Implementation::put_nearest_in(std::vector<Foot>& feet, Foot
     {
       continue;
     }
+    const bool is_continuum = !foot->isolated && !nearest.isolated;
     if ((foot->point - nearest.point).norm() <= kSamePoint * this->Size)
     {
+      *foot = is_continuum ? nearest : *foot;
       return;
     }
-    if (continuum == feet.end() && !foot->isolated && !nearest.isolated)
+    if (continuum == feet.end() && is_continuum)
     {
       continuum = foot;
     }

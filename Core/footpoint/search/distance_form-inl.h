@@ -116,50 +116,6 @@ inline double distance_form(const PieceQuery& query, double constant, double* ta
   return hn::GetLane(hn::MinOfLanes(tag, least));
 }
 
-/// Near the minimum: the control points of a parabola c(t − t0)² are those of a parabola themselves,
-/// with its vertex at t0 (n − 1) + ½ (from raising its degree to n).
-HWY_INLINE double parabola_start(double before, double here, double after, int at, int n)
-{
-  const double bend = before - 2.0 * here + after;
-  const double vertex = bend > 0.0 ? at + 0.5 * (before - after) / bend : at;
-  return std::min(std::max((vertex - 0.5) / (n - 1), 0.0), 1.0);
-}
-
-/// Where to start from, near the smallest coefficient.
-inline Pair start_of(const PieceShape& shape, const double* coefficients, double least)
-{
-  const hn::CappedTag<double, 8> tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  int k = 0;
-  for (int i = 0; i < shape.form_size; i += lanes)
-  {
-    const auto is_least = hn::Eq(hn::LoadU(tag, coefficients + i), hn::Set(tag, least));
-    const auto at = hn::FindFirstTrue(tag, is_least);
-    if (at >= 0)
-    {
-      k = i + static_cast<int>(at);
-      break;
-    }
-  }
-  const int row = k / shape.stride;
-  const int column = std::min(k % shape.stride, shape.columns - 1);
-  Pair start{ { 0.0, 0.0 } };
-  if (shape.rows > 1)
-  {
-    const int at = std::clamp(row, 1, shape.rows - 2);
-    const double* f = coefficients + column;
-    start[0] = parabola_start(f[(at - 1) * shape.stride], f[at * shape.stride],
-      f[(at + 1) * shape.stride], at, shape.rows - 1);
-  }
-  if (shape.columns > 1)
-  {
-    const int at = std::clamp(column, 1, shape.columns - 2);
-    const double* f = coefficients + row * shape.stride;
-    start[1] = parabola_start(f[at - 1], f[at], f[at + 1], at, shape.columns - 1);
-  }
-  return start;
-}
-
 /// What the first differences of the coefficients of F say.
 struct Slopes
 {

@@ -63,6 +63,24 @@ std::vector<double> raising_weights(int n, int stride)
   return weights;
 }
 
+/// Weights of the coefficients of a polynomial of degree n in those of its two halves.
+std::vector<float> weights_of_halves(int n, int stride)
+{
+  std::vector<float> weights((n + 1) * stride);
+  const std::vector<double> lower = halving_weights(n, 0, n + 1);
+  const std::vector<double> upper = halving_weights(n, 1, n + 1);
+  for (int k = 0; k <= n; ++k)
+  {
+    for (int j = 0; j < stride; ++j)
+    {
+      const int of = std::min(j, 2 * n);
+      const double weight = of < n ? lower[k * (n + 1) + of] : upper[k * (n + 1) + of - n];
+      weights[k * stride + j] = static_cast<float>(weight);
+    }
+  }
+  return weights;
+}
+
 /// Where positions of a piece are measured from: a point at which a derivative vanishes (a
 /// collapsed side; a curve's repeated end), so that it comes out with all digits near there, else
 /// the middle. \param points of the control net; a curve's are one line
@@ -203,6 +221,10 @@ PieceShape::PieceShape(int p, int q, bool is_rational)
     this->halving[1][end] = halving_weights(2 * q, end, this->stride);
   }
   this->raising = { { raising_weights(p, 2 * p + 1), raising_weights(q, this->stride) } };
+  const int n = raised_degree(p);
+  const int m = raised_degree(q);
+  this->halves_stride = padded(2 * m + 1);
+  this->halves = { { weights_of_halves(n, 2 * n + 1), weights_of_halves(m, this->halves_stride) } };
 }
 
 const PieceShape* DistanceForms::shape_of(const Surface& surface)

@@ -12,6 +12,12 @@
 namespace footpoint
 {
 
+/// Two along directions of degree one, where the square of the way has no coefficients otherwise.
+constexpr int raised_degree(int degree)
+{
+  return degree == 1 ? 2 : degree;
+}
+
 /// What a side of a piece is.
 enum class PieceSide : std::uint8_t
 {
@@ -43,6 +49,11 @@ struct PieceShape
   /// raising[i]: column k, row j is the weight of coefficient k of a polynomial of the piece's degree
   /// in coefficient j of a form (degree elevation; A. R. Forrest 1972), padded likewise.
   std::array<std::vector<double>, 2> raising;
+  /// halves[i]: column k, row j is the weight of coefficient k of a polynomial of the outline's degree
+  /// (ReducedSquares) in coefficient j of its two halves, one after the other and with one in common; padded
+  /// to halves_stride for the second direction.
+  std::array<std::vector<float>, 2> halves;
+  int halves_stride;
 
   PieceShape(int p, int q, bool is_rational);
 };

@@ -15,6 +15,7 @@
 #include "footpoint/search/certified_search.h"
 #include "footpoint/search/distance_form-inl.h"
 #include "footpoint/search/height_form-inl.h"
+#include "footpoint/search/outline_form-inl.h"
 #include "footpoint/search/piece_descent-inl.h"
 
 #include <algorithm>
@@ -60,12 +61,6 @@ constexpr std::size_t kMostUnsorted = 32;
 /// More than the margin of any piece, in squares of the coordinates: roundings of the highest degree.
 constexpr double kMostMargin = 1e-10;
 
-/// A sum of four products of single precision numbers is off by less than this part of what the products
-/// are at the most: two roundings each and four of the sum.
-constexpr double kOutlineRounding = 0x1p-20;
-/// Queries beyond this have no squares in single precision.
-constexpr double kFarthest = 1e18;
-
 /// So many pieces a walk passes at the most.
 constexpr int kMostVisited = 4;
 
@@ -110,6 +105,8 @@ public:
     {
       this->P[k] = query.point(k);
     }
+    // Centred coordinates are within the size.
+    this->Rounding = 4.0 * kRounding * (3.0 * query.size + bound_of_length(this->P));
     this->Bound = query.limit;
     this->SquaredBound = query.limit * query.limit;
   }
@@ -230,8 +227,9 @@ private:
   void bound_by(const PieceQuery& query, const Pair& t, double squared);
   /// Where the tangent plane of the piece's middle is nearest.
   Pair guess(const PieceQuery& query) const;
-  /// Whether the smallest coefficient of a piece says that it holds nothing within reach.
-  bool excludes(double least) const { return this->reach() < kInfinity && least >= 0.0; }
+  /// Whether the outline of a piece says that it holds nothing within reach. \param start receives where to
+  /// begin otherwise
+  bool excludes_by_outline(const PieceQuery& query, const Level& level, Pair& start) const;
   /// The same by the height form about a point of it, which tells where the coefficients do not.
   bool excludes_by_height(const PieceQuery& query, const Pair& t);
   /// The next candidate, nearest first; whether there is one to descend on.
@@ -265,6 +263,9 @@ private:
     Improved
   };
   Verdict prove(const PieceFoot& survivor);
+  /// Whether the distance form that the coefficients begin with is seen to be positive from a place on where it
+  /// is nearly zero. The coefficients stay.
+  bool is_positive_from(const PieceShape& shape, const Pair& t);
   /// Whether the height form of a piece about a minimum on it says that nothing is nearer.
   bool proves_by_height(const PieceQuery& query, const PieceFoot& survivor, double tolerance);
   /// By how much a height form's query may be another one than ours, from which its point is exactly as far
@@ -313,6 +314,7 @@ private:
   SearchWorkspace::Finds& Finds;
   CertifiedAnswer& Answer;
   double P[3];
+  double Rounding; ///< of the differences of positions and the query
   double Bound = kInfinity;  ///< a point as near as this is known, or nothing farther is sought
   double SquaredBound = kInfinity;
   /// A node on the ways that begin() went down the tree, and the children that it went on with.

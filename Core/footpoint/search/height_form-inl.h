@@ -9,11 +9,10 @@
 #define FOOTPOINT_HEIGHT_FORM_INL_H
 #endif
 
-#include "footpoint/search/piece_evaluation-inl.h"
+#include "footpoint/search/positive_form-inl.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -42,73 +41,35 @@ struct HeightView
 ///
 /// has the degree of the piece (two at least), and so less than a third of the coefficients that the
 /// distance form of a bicubic piece has. Where the curvature is what decides, far from the surface, little
-/// is lost. It is proved to be positive by cutting the piece at the foot: in a cell with the foot at a
-/// corner all coefficients of what is left after a square form that is positive and has the same mixed
-/// coefficient at that corner have to be positive; in other cells all coefficients.
+/// is lost.
 ///
 /// Rounding: a coefficient of 2 r·(N − w f) is off by 2 (16 + roundings × max w / min w) u |r| × reach × max w
-/// at the most, of which the second part is that of f; one of the square form by 32 u (a + 2|b| + c);
-/// cutting at s adds 4 (n + 1) u × the greatest coefficient. min w is the root of the smallest coefficient of
-/// w², which at a corner is a square rounded once.
+/// at the most, of which the second part is that of f; one of the square form by 32 u (a + 2|b| + c).
+/// min w is the root of the smallest coefficient of w², which at a corner is a square rounded once.
 ///
 /// \tparam P, Q degrees of the piece; −1: any
 template <int P, int Q>
 class HeightForm
 {
 public:
-  static constexpr int kMostCuts = 10; ///< one after the other
-
   /// Numbers of memory that it needs.
-  static int size(const PieceShape& shape)
+  static int size_of_memory(const PieceShape& shape)
   {
-    const HeightForm form(shape);
-    return (kMostCuts + 1) * form.size() + 4 * (form.m() + 1) * form.stride();
+    return Form::size_of_memory(raised_degree(shape.degree[0]), raised_degree(shape.degree[1]));
   }
 
   /// Whether |S − P|² ≥ |r|² − E is proved for all of the piece.
-  /// \param memory of size() numbers
+  /// \param memory of so many numbers
   static bool proves(const Piece& piece, const HeightView& view, double* memory)
   {
-    HeightForm form(*piece.shape);
-    form.T = view.t;
-    form.Memory = memory;
-    form.fill(piece, view);
-    return form.is_positive();
+    const std::array<int, 2>& degree = piece.shape->degree;
+    Form form(raised_degree(degree[0]), raised_degree(degree[1]), view.t, memory);
+    return form.is_positive(fill(piece, view, form, memory));
   }
 
 private:
   static constexpr int kWidth = 4;
-  static constexpr int kMostColumns =
-    ((Q < 0 ? kMaximumDegree : Q == 1 ? 2 : Q) + kWidth) / kWidth * kWidth;
-  static constexpr int kMostTests = 16; ///< cells; beyond that the distance form is the better way
-
-  /// Where the foot is along a direction of a cell.
-  enum class FootAt
-  {
-    Start,
-    Middle,
-    End,
-    Elsewhere
-  };
-  struct Cell
-  {
-    FootAt foot[2];
-    int cuts;
-  };
-
-  explicit HeightForm(const PieceShape& shape)
-    : Shape(shape)
-  {
-  }
-
-  /// Degrees of the form.
-  HWY_INLINE int n() const { return raised(P >= 0 ? P : this->Shape.degree[0]); }
-  HWY_INLINE int m() const { return raised(Q >= 0 ? Q : this->Shape.degree[1]); }
-  static constexpr int raised(int degree) { return degree == 1 ? 2 : degree; }
-  /// Numbers from one row to the next; the last one is repeated.
-  HWY_INLINE int stride() const { return (this->m() + kWidth) / kWidth * kWidth; }
-  /// Numbers of a cell.
-  HWY_INLINE int size() const { return (this->n() + 1) * this->stride(); }
+  using Form = PositiveForm<raised_degree(P), raised_degree(Q), kWidth>;
 
   /// Bernstein coefficient of (t − t₀)².
   static HWY_INLINE double square(int k, int n, double t0)
@@ -116,16 +77,17 @@ private:
     return n < 2 ? 0.0 : t0 * t0 - t0 * (2.0 * k / n) + k * (k - 1.0) / (n * (n - 1.0));
   }
 
-  void fill(const Piece& piece, const HeightView& view)
+  /// \param f receives the coefficients \return the greatest of them, by magnitude
+  static double fill(const Piece& piece, const HeightView& view, const Form& form, double* f)
   {
-    const int p = P >= 0 ? P : this->Shape.degree[0];
-    const int q = Q >= 0 ? Q : this->Shape.degree[1];
-    const int n = this->n();
-    const int m = this->m();
-    const int stride = this->stride();
+    const PieceShape& shape = *piece.shape;
+    const int p = P >= 0 ? P : shape.degree[0];
+    const int q = Q >= 0 ? Q : shape.degree[1];
+    const int n = form.n();
+    const int m = form.m();
+    const int stride = form.stride();
     const double r[4] = { 2.0 * view.r[0], 2.0 * view.r[1], 2.0 * view.r[2],
       -2.0 * dot(view.r, view.f) };
-    double* f = this->Memory;
     double greatest_weight = 1.0;
     for (int i = 0; i <= p; ++i)
     {
@@ -135,7 +97,7 @@ private:
         const double* control = piece.net + 4 * (i * (q + 1) + j);
         row[j] = (control[0] * r[0] + control[1] * r[1]) + (control[2] * r[2] + control[3] * r[3]);
         greatest_weight =
-          this->Shape.rational ? std::max(greatest_weight, control[3]) : greatest_weight;
+          shape.rational ? std::max(greatest_weight, control[3]) : greatest_weight;
       }
       if (q == 1)
       {
@@ -158,17 +120,17 @@ private:
       }
     }
     const double least_weight =
-      this->Shape.rational ? std::sqrt(piece.least_weight) * (1.0 - 4.0 * kRounding) : 1.0;
+      shape.rational ? std::sqrt(piece.least_weight) * (1.0 - 4.0 * kRounding) : 1.0;
     const double a = least_weight * view.metric[0];
     const double b = least_weight * view.metric[1];
     const double c = least_weight * view.metric[2];
     const double margin = kRounding *
-      (2.0 * (16.0 + this->Shape.roundings * greatest_weight / least_weight) *
+      (2.0 * (16.0 + shape.roundings * greatest_weight / least_weight) *
           bound_of_length(view.r) * piece.reach * greatest_weight +
         32.0 * (a + 2.0 * std::abs(b) + c));
     const double constant = least_weight * view.allowed - margin;
-    double along_v[kMostColumns];
-    double step_v[kMostColumns];
+    double along_v[Form::kMostColumns];
+    double step_v[Form::kMostColumns];
     for (int j = 0; j < stride; ++j)
     {
       const int k = std::min(j, m);
@@ -190,277 +152,8 @@ private:
         hn::StoreU(value, tag, at);
       }
     }
-    this->ErrorOfCut =
-      4.0 * (std::max(n, m) + 1) * kRounding * hn::GetLane(hn::MaxOfLanes(tag, greatest));
+    return hn::GetLane(hn::MaxOfLanes(tag, greatest));
   }
-
-  bool is_positive()
-  {
-    Cell cells[kMostCuts + 1];
-    cells[0].cuts = 0;
-    for (int i = 0; i < 2; ++i)
-    {
-      const bool is_line = i == 0 && this->n() == 0; // of a curve, whose first parameter is none
-      cells[0].foot[i] = is_line || this->T[i] <= 0.0 ? FootAt::Start
-        : this->T[i] >= 1.0                           ? FootAt::End
-                                                      : FootAt::Middle;
-    }
-    int left = 1;
-    for (int tests = 0; left > 0; ++tests)
-    {
-      const Cell cell = cells[left - 1];
-      double* f = this->Memory + (left - 1) * this->size();
-      const double error = cell.cuts * this->ErrorOfCut;
-      if (tests == kMostTests || !this->corners_are_above(f, error))
-      {
-        return false;
-      }
-      if (this->is_above(f, error) || this->is_above_square(cell, f, error))
-      {
-        --left;
-        continue;
-      }
-      if (cell.cuts == kMostCuts)
-      {
-        return false;
-      }
-      const bool has_foot = cell.foot[0] != FootAt::Elsewhere && cell.foot[1] != FootAt::Elsewhere;
-      Cell low = cell;
-      ++low.cuts;
-      Cell high = low;
-      double* upper = f + this->size();
-      int i = 0;
-      double at = 0.5;
-      if (has_foot && (cell.foot[0] == FootAt::Middle || cell.foot[1] == FootAt::Middle))
-      {
-        i = cell.foot[0] == FootAt::Middle ? 0 : 1;
-        at = this->T[i];
-        low.foot[i] = FootAt::End;
-        high.foot[i] = FootAt::Start;
-      }
-      else
-      {
-        i = this->longer_direction(f);
-        low.foot[i] = cell.foot[i] == FootAt::Start ? FootAt::Start : FootAt::Elsewhere;
-        high.foot[i] = cell.foot[i] == FootAt::End ? FootAt::End : FootAt::Elsewhere;
-      }
-      i == 0 ? this->cut_rows(f, at, upper) : this->cut_columns(f, this->weights(at), upper);
-      cells[left - 1] = low;
-      cells[left++] = high;
-    }
-    return true;
-  }
-
-  /// Values of the form, below which no cut helps.
-  bool corners_are_above(const double* f, double error) const
-  {
-    const double* last = f + this->n() * this->stride();
-    return f[0] >= error && f[this->m()] >= error && last[0] >= error && last[this->m()] >= error;
-  }
-
-  bool is_above(const double* f, double error) const
-  {
-    const hn::CappedTag<double, kWidth> tag;
-    auto least = hn::LoadU(tag, f);
-    for (int k = 0; k < this->size(); k += static_cast<int>(hn::Lanes(tag)))
-    {
-      least = hn::Min(least, hn::LoadU(tag, f + k));
-    }
-    return hn::GetLane(hn::MinOfLanes(tag, least)) >= error;
-  }
-
-  /// The same after a square form about the foot, whose coefficients are a i (i − 1) − b i j + c j (j − 1)
-  /// from the foot's corner on: not negative for a c ≥ b² n m / (4 (n − 1) (m − 1)).
-  bool is_above_square(const Cell& cell, const double* f, double error) const
-  {
-    const bool ends[2] = { cell.foot[0] == FootAt::End, cell.foot[1] == FootAt::End };
-    const int n = this->n();
-    const int m = this->m();
-    const int stride = this->stride();
-    if (n == 0 || !(ends[0] || cell.foot[0] == FootAt::Start) ||
-      !(ends[1] || cell.foot[1] == FootAt::Start))
-    {
-      return false;
-    }
-    const auto at = [&](int i, int j)
-    { return f[(ends[0] ? n - i : i) * stride + (ends[1] ? m - j : j)]; };
-    const double most_a = 0.5 * at(2, 0);
-    const double most_c = 0.5 * at(0, 2);
-    // With the mixed coefficient all of its error is taken away, and the rounding of what is.
-    const double mixed = at(1, 1);
-    const double allowance = error +
-      8.0 * kRounding *
-        (std::abs(most_a) * n * n + std::abs(most_c) * m * m + std::abs(mixed) * n * m);
-    const double b = (allowance - mixed) * (1.0 + 8.0 * kRounding);
-    // Beyond the range of double precision on the safe side, so that the part is not too small.
-    const double least = std::max(
-      b * b * (0.25 * n * m / ((n - 1.0) * (m - 1.0))), std::numeric_limits<double>::min());
-    const double most = std::min(most_a * most_c, std::numeric_limits<double>::max());
-    if (!(b > 0.0 && most_a > 0.0 && most_c > 0.0 && least < most))
-    {
-      return false;
-    }
-    const double part = std::sqrt(least / most) * (1.0 + 8.0 * kRounding);
-    const double a = part * most_a;
-    const double c = part * most_c;
-    double along_v[kMostColumns];
-    double step_v[kMostColumns];
-    for (int j = 0; j < stride; ++j)
-    {
-      const int k = ends[1] ? std::max(m - j, 0) : std::min(j, m);
-      along_v[j] = c * (k * (k - 1.0)) + allowance;
-      step_v[j] = b * k;
-    }
-    const hn::CappedTag<double, kWidth> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, kWidth>()));
-    for (int i = 0; i <= n; ++i)
-    {
-      const double k = ends[0] ? n - i : i;
-      const auto along_u = hn::Set(tag, a * (k * (k - 1.0)));
-      const auto step_u = hn::Set(tag, k);
-      for (int j = 0; j < stride; j += kLanes)
-      {
-        const auto taken = hn::NegMulAdd(
-          step_u, hn::LoadU(tag, step_v + j), hn::Add(along_u, hn::LoadU(tag, along_v + j)));
-        if (!hn::AllTrue(tag, hn::Ge(hn::LoadU(tag, f + i * stride + j), taken)))
-        {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  /// Matrices of a cut, which is one at the foot or in the middle.
-  const double* weights(double s)
-  {
-    const int number = s == 0.5 ? 1 : 0;
-    double* weights = this->Memory + (kMostCuts + 1) * this->size() +
-      number * 2 * (this->m() + 1) * this->stride();
-    if (!this->IsPrepared[number])
-    {
-      this->prepare(s, weights);
-      this->IsPrepared[number] = true;
-    }
-    return weights;
-  }
-
-  /// Along which the form changes more.
-  int longer_direction(const double* f) const
-  {
-    const int m = this->m();
-    const double* last = f + this->n() * this->stride();
-    const double along_u = std::abs(last[0] - f[0]) + std::abs(last[m] - f[m]);
-    const double along_v = std::abs(f[m] - f[0]) + std::abs(last[m] - last[0]);
-    return this->n() > 0 && along_u > along_v ? 0 : 1;
-  }
-
-  /// De Casteljau 1959; the coefficients become those of the lower part.
-  void cut_rows(double* f, double s, double* upper) const
-  {
-    const int n = this->n();
-    const int stride = this->stride();
-    const hn::CappedTag<double, kWidth> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, kWidth>()));
-    const auto high = hn::Set(tag, s);
-    const auto low = hn::Set(tag, 1.0 - s);
-    for (int j = 0; j < stride; j += kLanes)
-    {
-      for (int i = 0; i <= n; ++i)
-      {
-        hn::StoreU(hn::LoadU(tag, f + i * stride + j), tag, upper + i * stride + j);
-      }
-      for (int level = 1; level <= n; ++level)
-      {
-        auto here = hn::LoadU(tag, upper + j);
-        for (int i = 0; i <= n - level; ++i)
-        {
-          double* at = upper + i * stride + j;
-          const auto next = hn::LoadU(tag, at + stride);
-          const auto between = hn::MulAdd(high, next, hn::Mul(low, here));
-          hn::StoreU(between, tag, at);
-          if (i == 0)
-          {
-            hn::StoreU(between, tag, f + level * stride + j);
-          }
-          here = next;
-        }
-      }
-    }
-  }
-
-  /// The same by the matrices of a cut: column j, row k is the weight of coefficient k in coefficient j of
-  /// the lower part, after them those of the upper one.
-  void cut_columns(double* f, const double* weights, double* upper) const
-  {
-    const int m = this->m();
-    const int stride = this->stride();
-    const hn::CappedTag<double, kWidth> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, kWidth>()));
-    const double* upper_weights = weights + (m + 1) * stride;
-    for (int i = 0; i <= this->n(); ++i, f += stride, upper += stride)
-    {
-      double row[kMostColumns];
-      for (int k = 0; k <= m; ++k)
-      {
-        row[k] = f[k];
-      }
-      for (int j = 0; j < stride; j += kLanes)
-      {
-        auto low = hn::Zero(tag);
-        auto high = low;
-        for (int k = 0; k <= m; ++k)
-        {
-          const auto value = hn::Set(tag, row[k]);
-          low = hn::MulAdd(value, hn::LoadU(tag, weights + k * stride + j), low);
-          high = hn::MulAdd(value, hn::LoadU(tag, upper_weights + k * stride + j), high);
-        }
-        hn::StoreU(low, tag, f + j);
-        hn::StoreU(high, tag, upper + j);
-      }
-    }
-  }
-
-  /// Column j: Bernstein polynomials of degree j at s, and of degree m − j.
-  void prepare(double s, double* weights) const
-  {
-    const int m = this->m();
-    const int stride = this->stride();
-    const double t = 1.0 - s;
-    double* upper = weights + (m + 1) * stride;
-    double b[kMostColumns] = { 1.0 };
-    for (int j = 0; j < stride; ++j)
-    {
-      if (j > 0 && j <= m)
-      {
-        b[j] = s * b[j - 1];
-        for (int k = j - 1; k > 0; --k)
-        {
-          b[k] = t * b[k] + s * b[k - 1];
-        }
-        b[0] *= t;
-      }
-      const int degree = std::min(j, m);
-      for (int k = 0; k <= m; ++k)
-      {
-        weights[k * stride + j] = k <= degree ? b[k] : 0.0;
-        if (j <= m)
-        {
-          upper[k * stride + m - j] = k >= m - degree ? b[k - m + degree] : 0.0;
-        }
-        else
-        {
-          upper[k * stride + j] = upper[k * stride + m];
-        }
-      }
-    }
-  }
-
-  const PieceShape& Shape;
-  Pair T; ///< the foot's parameters
-  bool IsPrepared[2] = { false, false };
-  double ErrorOfCut = 0.0;
-  double* Memory = nullptr; ///< of the cells, one after the other
 };
 
 } // namespace

@@ -192,41 +192,14 @@ void Finder::collect()
 
 void Finder::collect(std::int32_t index, double squared)
 {
-  const PieceOutline& outline = this->Structure.outlines[index];
-  double r[3];
-  double size = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    r[k] = outline.middle[k] - this->P[k];
-    size += std::abs(outline.middle[k]) + std::abs(this->P[k]);
-  }
-  const double away = dot(r, r);
-  const double length = bound_of_length(r);
   double bound = squared / kOutward;
-  if (outline.count == 0 || !(length <= kFarthest))
+  const OutlineView view(this->Structure.outlines[index], this->P, this->Rounding);
+  if (!view.is_usable())
   {
     this->Finds.candidates.push_back({ index, bound });
     return;
   }
-  const hn::CappedTag<float, PieceOutline::kWidth> tag;
-  const auto x = hn::Set(tag, static_cast<float>(2.0 * r[0]));
-  const auto y = hn::Set(tag, static_cast<float>(2.0 * r[1]));
-  const auto z = hn::Set(tag, static_cast<float>(2.0 * r[2]));
-  const float* number = outline.numbers;
-  const int count = outline.count;
-  auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
-  for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(tag)), number += hn::Lanes(tag))
-  {
-    auto f = hn::MulAdd(x, hn::LoadU(tag, number), hn::LoadU(tag, number + 3 * count));
-    f = hn::MulAdd(y, hn::LoadU(tag, number + count), f);
-    f = hn::MulAdd(z, hn::LoadU(tag, number + 2 * count), f);
-    least = hn::Min(least, f);
-  }
-  // Roundings of single precision, then of r.
-  const double error = kOutlineRounding * (2.0 * length * outline.longest + outline.greatest) +
-    16.0 * kRounding * size * length;
-  bound = std::max(
-    bound, away - error + static_cast<double>(hn::GetLane(hn::MinOfLanes(tag, least))));
+  bound = std::max(bound, view.bound());
   const double reach = this->reach() + this->Structure.greatest_error;
   if (bound >= reach * reach * kOutward)
   {
@@ -234,26 +207,12 @@ void Finder::collect(std::int32_t index, double squared)
   }
   this->Finds.candidates.push_back({ index, bound });
   // The corners are points of the piece.
-  const float* corner = outline.numbers + 4 * count;
-  const hn::CappedTag<float, PieceOutline::kCorners> corners;
-  HWY_ALIGN float value[PieceOutline::kCorners];
-  for (int k = 0; k < PieceOutline::kCorners; k += static_cast<int>(hn::Lanes(corners)))
+  const PieceQuery query = this->at(index);
+  double corner = 0.0;
+  const int k = view.nearest_corner(query.piece->shape->rational, corner);
+  if (corner < this->SquaredBound)
   {
-    auto f = hn::LoadU(corners, corner + 3 * PieceOutline::kCorners + k);
-    for (int i = 0; i < 3; ++i)
-    {
-      f = hn::MulAdd(hn::Set(corners, static_cast<float>(2.0 * r[i])),
-        hn::LoadU(corners, corner + i * PieceOutline::kCorners + k), f);
-    }
-    hn::StoreU(f, corners, value + k);
-  }
-  for (int k = 0; k < PieceOutline::kCorners; ++k)
-  {
-    const double at = away + error + static_cast<double>(value[k]);
-    if (at < this->SquaredBound)
-    {
-      this->bound_by(this->at(index), { { k / 2 * 1.0, k % 2 * 1.0 } }, at);
-    }
+    this->bound_by(query, { { k / 2 * 1.0, k % 2 * 1.0 } }, corner);
   }
 }
 

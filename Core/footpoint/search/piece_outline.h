@@ -2,30 +2,22 @@
 #pragma once
 
 #include "footpoint/search/aligned_array.h"
-#include "footpoint/search/piece_neighbourhood.h"
+#include "footpoint/search/distance_forms.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace footpoint
 {
 
-/// The plane that touches a piece in its middle, for a first guess of a foot's parameters:
-/// t = ½ + rows · (P − point). A curve has its tangent in the second row, zero in the first.
-struct TangentPlane
-{
-  double point[3]; ///< from the piece's origin
-  double rows[2][3];
-};
-
-/// What tells that a piece holds nothing near a query, without its forms: with c the piece's middle,
-/// r = c − P, x_k the control points from c on and a_k as below,
+/// What tells that a piece holds nothing near a query, without its forms: with c the piece's origin,
+/// r = c − P, x_k the control points from c on and R_k = w_k B_k / w the rational basis,
 ///
-///   |S − P|² = |r|² + 2 r·(S − c) + |S − c|² ≥ |r|² + min_k (2 r·x_k + a_k),
+///   |S − P|² = |r|² + 2 r·(S − c) + |S − c|² ≥ Σ R_k (|r|² + 2 r·x_k + a_k),
 ///
-/// where |S − c|² is at least the square form A of the way in the parameters
-/// (PieceNeighbourhood::metric) and a_k are its Bernstein coefficients, for rational pieces times
-/// min w / w_k: w (2 r·(S − c) + |S − c|²) ≥ Σ B_k w_k (2 r·x_k + a_k) is a mean of the bracket.
+/// a mean of the brackets, and so not below the least of them. Σ B_k w_k a_k is w |S − c|² brought down to
+/// the degree of the piece: interpolated at Chebyshev's nodes, and lowered by the multiple of w for which all
+/// coefficients of w² |S − c|² − w Σ B_k w_k a_k, of twice the degree, are seen to be positive.
+/// Directions of degree one are raised to two first, so that the square of the way along them is kept.
 ///
 /// In single precision: its rounding is accounted for, and is far below what matters here.
 struct PieceOutline
@@ -33,11 +25,21 @@ struct PieceOutline
   static constexpr int kWidth = 8;   ///< numbers come in multiples of this
   static constexpr int kCorners = 4; ///< (u, v) = (0, 0), (0, 1), (1, 0), (1, 1)
 
-  double middle[3];     ///< c, in the model's centred coordinates
-  const float* numbers; ///< x, y, z and a of all k; then x, y, z and |x|² of the corners
-  std::int32_t count;   ///< of k; 0: the piece is too large or too small for single precision
-  float longest;        ///< of the magnitudes of all x, y and z …
-  float greatest;       ///< … and of all a and |x|²
+  double origin[3];     ///< c, in the model's centred coordinates
+  double unit;          ///< of length for all that follows: a power of two near the piece's size
+  double inverse_unit;
+  /// x, y, z, a and, of rational pieces, w of all k, rows of the control net one after the other; then x, y,
+  /// z and |x|² of the corners.
+  const float* numbers;
+  std::int32_t count; ///< of k, with padding; 0: squares of the piece's size are out of range
+  float longest;      ///< of the magnitudes of all x, y and z …
+  float greatest;     ///< … and of all a and |x|²
+
+  /// Where the numbers of the corners begin.
+  const float* corners(bool rational) const
+  {
+    return this->numbers + (rational ? 5 : 4) * this->count;
+  }
 };
 
 /// The outlines of all pieces.
@@ -45,8 +47,7 @@ class PieceOutlines
 {
 public:
   PieceOutlines() = default;
-  PieceOutlines(const AlignedVector<Piece>& pieces, const AlignedVector<TangentPlane>& planes,
-    const AlignedVector<PieceNeighbourhood>& neighbourhoods);
+  explicit PieceOutlines(const AlignedVector<Piece>& pieces);
 
   const PieceOutline& operator[](std::int32_t piece) const { return this->Outlines[piece]; }
 

@@ -100,6 +100,12 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   cells.clear();
   const double least = distance_form(
     query, level.constant + this->Slack - level.margin, this->coefficients(0, size));
+  // At the survivor F is no more than this, and the margin has come off it.
+  const double highest = this->excess_of(survivor) + this->Slack - 2.0 * level.margin;
+  if (least >= 0.0 || (highest > 0.0 && this->is_positive_from(shape, survivor.t)))
+  {
+    return Verdict::Proved;
+  }
   cells.push_back({ { { 0.0, 0.0 } }, { { 1.0, 1.0 } }, least, 0.0, 0 });
   std::vector<SearchWorkspace::HardCell>& hard = this->Workspace.hard_cells;
   hard.clear();
@@ -185,6 +191,31 @@ Finder::Verdict Finder::prove(const PieceFoot& survivor)
   return hard.empty() ? Verdict::Proved : this->prove_hard_cells(query);
 }
 
+bool Finder::is_positive_from(const PieceShape& shape, const Pair& t)
+{
+  return with_shape(shape,
+    [&](auto p, auto q, auto)
+    {
+      constexpr int kWidth = 8; // as rows of forms are padded
+      using Form =
+        PositiveForm<(p() < 0 ? -1 : 2 * p()), (q() < 0 ? -1 : 2 * q()), kWidth>;
+      const int n = 2 * shape.degree[0];
+      const int m = 2 * shape.degree[1];
+      const int size = shape.form_size;
+      double* f = this->coefficients(0, size + Form::size_of_memory(n, m));
+      double* memory = f + size;
+      const hn::CappedTag<double, kWidth> tag;
+      auto greatest = hn::Zero(tag);
+      for (int k = 0; k < size; k += static_cast<int>(hn::Lanes(tag)))
+      {
+        const auto values = hn::LoadU(tag, f + k);
+        greatest = hn::Max(greatest, hn::Abs(values));
+        hn::StoreU(values, tag, memory + k);
+      }
+      return Form(n, m, t, memory).is_positive(hn::GetLane(hn::MaxOfLanes(tag, greatest)));
+    });
+}
+
 bool Finder::is_above(const PieceQuery& query, const double* point, const double* offset,
   const Pair& t, double allowed)
 {
@@ -203,7 +234,7 @@ bool Finder::is_above(const PieceQuery& query, const double* point, const double
     [&](auto p, auto q, auto)
     {
       using Form = HeightForm<p(), q()>;
-      return Form::proves(*query.piece, view, this->coefficients(0, Form::size(shape)));
+      return Form::proves(*query.piece, view, this->coefficients(0, Form::size_of_memory(shape)));
     });
 }
 

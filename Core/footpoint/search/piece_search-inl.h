@@ -196,14 +196,11 @@ bool Finder::next_candidate()
     {
       continue;
     }
-    const PieceShape& shape = *query.piece->shape;
-    double* f = this->coefficients(0, shape.form_size);
-    const double least = distance_form(query, level.constant - level.margin, f);
-    if (this->excludes(least))
+    Pair start;
+    if (this->excludes_by_outline(query, level, start))
     {
       continue;
     }
-    const Pair start = start_of(shape, f, least);
     if (!this->found() || !this->excludes_by_height(query, start))
     {
       this->wait_for(query, start);
@@ -212,6 +209,26 @@ bool Finder::next_candidate()
   }
   this->Next = candidates.size();
   this->descend_from_nearest();
+  return false;
+}
+
+bool Finder::excludes_by_outline(
+  const PieceQuery& query, const Level& level, Pair& start) const
+{
+  const OutlineView view(this->Structure.outlines[query.index], this->P, this->Rounding);
+  if (!view.is_usable())
+  {
+    start = this->guess(query);
+    return false;
+  }
+  const PieceShape& shape = *query.piece->shape;
+  RefinedOutline outline;
+  view.refine(shape, level.constant - level.margin, outline);
+  if (this->reach() < kInfinity && outline.is_positive())
+  {
+    return true;
+  }
+  start = start_of(shape, outline);
   return false;
 }
 

@@ -102,7 +102,7 @@ SearchStructure::SearchStructure(DistanceForms pieces)
     this->planes.push_back(tangent_plane(piece, u, v));
     this->greatest_error = std::max(this->greatest_error, piece.error);
   }
-  this->outlines = PieceOutlines(this->forms.pieces(), this->planes, this->neighbourhoods);
+  this->outlines = PieceOutlines(this->forms.pieces());
 }
 
 } // namespace footpoint
