@@ -54,6 +54,9 @@ constexpr int kMostLevels = 10;
 constexpr int kMostWaysDown = 3;
 constexpr double kMuchNearer = 0.5;
 
+/// A distance form of more coefficients costs more than the descent that it may save.
+constexpr int kMostOfForm = 40;
+
 /// Memory for so many candidates or survivors is kept from query to query.
 constexpr std::size_t kMostKept = 4096;
 /// More candidates are sorted at once.
@@ -230,8 +233,8 @@ private:
   /// Whether the outline of a piece says that it holds nothing within reach. \param start receives where to
   /// begin otherwise
   bool excludes_by_outline(const PieceQuery& query, const Level& level, Pair& start) const;
-  /// The same by the height form about a point of it, which tells where the coefficients do not.
-  bool excludes_by_height(const PieceQuery& query, const Pair& t);
+  /// The same by the height form about a point of it, or by the distance form cut there.
+  bool excludes_from(const PieceQuery& query, const Level& level, const Pair& t);
   /// The next candidate, nearest first; whether there is one to descend on.
   bool next_candidate();
   void descend_from_nearest();

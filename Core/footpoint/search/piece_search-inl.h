@@ -201,7 +201,7 @@ bool Finder::next_candidate()
     {
       continue;
     }
-    if (!this->found() || !this->excludes_by_height(query, start))
+    if (!this->found() || !this->excludes_from(query, level, start))
     {
       this->wait_for(query, start);
       return true;
@@ -232,14 +232,24 @@ bool Finder::excludes_by_outline(
   return false;
 }
 
-bool Finder::excludes_by_height(const PieceQuery& query, const Pair& t)
+bool Finder::excludes_from(const PieceQuery& query, const Level& level, const Pair& t)
 {
   Place place;
   place.t = t;
   evaluate_at(query, place);
   const double reach = this->reach() + query.piece->error + 2.0 * this->moved(query);
-  return this->is_above(query, place.jet[kS], place.r, place.t,
-    place.squared * (1.0 - 16.0 * kRounding) - reach * reach * kOutward);
+  const double above = place.squared * (1.0 - 16.0 * kRounding) - reach * reach * kOutward;
+  if (this->is_above(query, place.jet[kS], place.r, place.t, above))
+  {
+    return true;
+  }
+  const PieceShape& shape = *query.piece->shape;
+  if (!(above > 2.0 * level.margin) || shape.form_size > kMostOfForm)
+  {
+    return false;
+  }
+  distance_form(query, level.constant - level.margin, this->coefficients(0, shape.form_size));
+  return this->is_positive_from(shape, t);
 }
 
 void Finder::descend_from_nearest()
