@@ -72,7 +72,7 @@ bool is_positive(const Polynomial& form, const std::array<double, 2>& t)
       memory[i * proof.stride() + j] = form(i, std::min(j, form.m));
     }
   }
-  return proof.is_positive(form.greatest());
+  return proof.is_positive(form.greatest(), 16);
 }
 
 /// a (u − t₀)² + 2 b (u − t₀)(v − t₁) + c (v − t₁)² + what is left.

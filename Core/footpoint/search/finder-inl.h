@@ -54,6 +54,8 @@ constexpr int kMostLevels = 10;
 constexpr int kMostWaysDown = 3;
 constexpr double kMuchNearer = 0.5;
 
+/// Cells of a distance form that is cut at a foot.
+constexpr int kMostCutCells = 48;
 /// A distance form of more coefficients costs more than the descent that it may save.
 constexpr int kMostOfForm = 40;
 

@@ -64,11 +64,12 @@ public:
   {
     const std::array<int, 2>& degree = piece.shape->degree;
     Form form(raised_degree(degree[0]), raised_degree(degree[1]), view.t, memory);
-    return form.is_positive(fill(piece, view, form, memory));
+    return form.is_positive(fill(piece, view, form, memory), kMostCells);
   }
 
 private:
   static constexpr int kWidth = 4;
+  static constexpr int kMostCells = 16;
   using Form = PositiveForm<raised_degree(P), raised_degree(Q), kWidth>;
 
   /// Bernstein coefficient of (t − t₀)².

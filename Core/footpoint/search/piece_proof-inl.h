@@ -212,7 +212,8 @@ bool Finder::is_positive_from(const PieceShape& shape, const Pair& t)
         greatest = hn::Max(greatest, hn::Abs(values));
         hn::StoreU(values, tag, memory + k);
       }
-      return Form(n, m, t, memory).is_positive(hn::GetLane(hn::MaxOfLanes(tag, greatest)));
+      return Form(n, m, t, memory)
+        .is_positive(hn::GetLane(hn::MaxOfLanes(tag, greatest)), kMostCutCells);
     });
 }
 

@@ -63,8 +63,9 @@ public:
   HWY_INLINE int size() const { return (this->n() + 1) * this->stride(); }
 
   /// Whether the polynomial is positive for certain whose coefficients the memory begins with, and loses.
-  /// \param greatest of the coefficients, by magnitude
-  bool is_positive(double greatest)
+  /// \param greatest of the coefficients, by magnitude \param most_cells to look at; after that another way is
+  ///        better
+  bool is_positive(double greatest, int most_cells)
   {
     this->ErrorOfCut = 4.0 * (std::max(this->n(), this->m()) + 1) * kRounding * greatest;
     Cell cells[kMostCuts + 1];
@@ -77,12 +78,12 @@ public:
                                                       : FootAt::Middle;
     }
     int left = 1;
-    for (int tests = 0; left > 0; ++tests)
+    for (int cells_seen = 0; left > 0; ++cells_seen)
     {
       const Cell cell = cells[left - 1];
       double* f = this->Memory + (left - 1) * this->size();
       const double error = cell.cuts * this->ErrorOfCut;
-      if (tests == kMostTests || !this->corners_are_above(f, error))
+      if (cells_seen == most_cells || !this->corners_are_above(f, error))
       {
         return false;
       }
@@ -123,8 +124,6 @@ public:
   }
 
 private:
-  static constexpr int kMostTests = 16; ///< cells; beyond that another way is better
-
   /// Where the foot is along a direction of a cell.
   enum class FootAt
   {
