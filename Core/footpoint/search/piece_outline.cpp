@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace footpoint
 {
@@ -28,8 +29,7 @@ float bound_of(double magnitude)
 
 std::int32_t count_of(const PieceShape& shape)
 {
-  const int all = (raised_degree(shape.degree[0]) + 1) *
-    (raised_degree(shape.degree[1]) + 1);
+  const int all = (raised_degree(shape.degree[0]) + 1) * (raised_degree(shape.degree[1]) + 1);
   return (all + PieceOutline::kWidth - 1) / PieceOutline::kWidth * PieceOutline::kWidth;
 }
 
@@ -112,36 +112,32 @@ PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces)
   }
   this->Numbers = AlignedArray<float>(size);
   float* numbers = this->Numbers.data();
-  std::size_t first = 0;
-  while (first < pieces.size())
+  // Models of many patches come back to the same few shapes.
+  std::map<const PieceShape*, ReducedSquares> squares;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
   {
-    const PieceShape& shape = *pieces[first].shape;
-    ReducedSquares squares(shape);
-    std::size_t k = first;
-    for (; k < pieces.size() && pieces[k].shape == &shape; ++k)
+    const Piece& piece = pieces[k];
+    PieceOutline& outline = this->Outlines[k];
+    std::copy(piece.origin.begin(), piece.origin.end(), outline.origin);
+    outline.unit = 1.0;
+    outline.inverse_unit = 1.0;
+    outline.longest = 0.0F;
+    outline.greatest = 0.0F;
+    outline.numbers = nullptr;
+    outline.count = 0;
+    if (!fits(piece))
     {
-      const Piece& piece = pieces[k];
-      PieceOutline& outline = this->Outlines[k];
-      std::copy(piece.origin.begin(), piece.origin.end(), outline.origin);
-      outline.unit = 1.0;
-      outline.inverse_unit = 1.0;
-      outline.longest = 0.0F;
-      outline.greatest = 0.0F;
-      outline.numbers = nullptr;
-      outline.count = 0;
-      if (!fits(piece))
-      {
-        continue;
-      }
-      outline.unit = std::ldexp(1.0, std::ilogb(piece.reach));
-      outline.inverse_unit = 1.0 / outline.unit;
-      outline.numbers = numbers;
-      outline.count = count_of(shape);
-      squares.take(piece);
-      outline.count = write(shape, squares, numbers, outline) ? outline.count : 0;
-      numbers += size_of(shape);
+      continue;
     }
-    first = k;
+    const PieceShape& shape = *piece.shape;
+    ReducedSquares& reduced = squares.try_emplace(&shape, shape).first->second;
+    outline.unit = std::ldexp(1.0, std::ilogb(piece.reach));
+    outline.inverse_unit = 1.0 / outline.unit;
+    outline.numbers = numbers;
+    outline.count = count_of(shape);
+    reduced.take(piece);
+    outline.count = write(shape, reduced, numbers, outline) ? outline.count : 0;
+    numbers += size_of(shape);
   }
 }
 
