@@ -6,7 +6,6 @@
 #include "BlockJudge.h"
 #include "RandomPieces.h"
 #include "RandomSheets.h"
-#include "SlowBuild.h"
 
 #include "footpoint/search/outline_form-inl.h"
 
@@ -22,8 +21,6 @@ using namespace blocks;
 
 namespace
 {
-
-constexpr int kShare = kSlowBuild ? 8 : 1;
 
 /// An outline with the piece that it is of.
 struct Outlined
@@ -216,7 +213,7 @@ void judge(Random& random, const SearchStructure& structure, int pieces, Tally& 
 TEST(PieceOutlines, NothingIsNearerThanTheySay)
 {
   Tally tally;
-  for (int seed = 0; seed < 800 / kShare; ++seed)
+  for (int seed = 0; seed < 800; ++seed)
   {
     Random random(seed);
     std::string description;
@@ -235,7 +232,7 @@ TEST(PieceOutlines, OfSheetsAndCurvesTogether)
 {
   // Patches of several degrees, with several pieces each, far from the origin and from each other.
   Tally tally;
-  for (int seed = 0; seed < 200 / kShare; ++seed)
+  for (int seed = 0; seed < 200; ++seed)
   {
     Random random(seed);
     std::string description;
