@@ -119,7 +119,7 @@ public:
     // Sums as in error(), of which weighted means are taken along both directions: a rounding for each of
     // their terms, one for their weights and one for w, which is below 2.
     const double roundings =
-      16.0 + raised_degree(shape.degree[0]) + raised_degree(shape.degree[1]) + 8.0;
+      24.0 + raised_degree(shape.degree[0]) + raised_degree(shape.degree[1]);
     result.error = static_cast<float>(
       2.0 * roundings * kSingleRounding * (this->greatest_bracket() + std::abs(level)));
   }

@@ -83,7 +83,7 @@ bool write(
   // A curve has each of its ends twice.
   const int last = net[0].columns - 1;
   const int corners[PieceOutline::kCorners] = { 0, last, k - 1 - last, k - 1 };
-  float* corner = numbers + (outline.corners(shape.rational) - numbers);
+  float* corner = numbers + size_of(shape) - 4 * PieceOutline::kCorners;
   for (int end = 0; end < PieceOutline::kCorners; ++end)
   {
     double squared = 0.0;
