@@ -164,6 +164,29 @@ TEST(HardCaseS5, PolesAndCentreOfTheSphere)
     inverter, { 0, 0, 0 }, { 1.0, { kNaN, kNaN }, inverter.find({ 0, 0, 0 }).type, false });
 }
 
+TEST(HardCaseS6, ContinuaEndWhereTheQueryLeavesTheCentre)
+{
+  const auto is_isolated = [](const Surface& surface, const Vector3& query)
+  {
+    const Foot foot = PointInverter(model_of(surface)).find(query);
+    EXPECT_EQ(foot.status, Status::Certified);
+    return foot.isolated;
+  };
+  const Vector3 way = Vector3(0.6, 0.5, 0.4).normalized();
+  // So near the centre all of it is one point to rounding …
+  for (const double off : { 0.0, 1e-14 })
+  {
+    EXPECT_FALSE(is_isolated(shapes::sphere(), off * way)) << off;
+    EXPECT_FALSE(is_isolated(shapes::torus(), Vector3(3, 0, 0) + off * way)) << off;
+  }
+  // … and beside it the foot is the point on that side.
+  for (const double off : { 1e-8, 1e-5, 1e-2 })
+  {
+    EXPECT_TRUE(is_isolated(shapes::sphere(), off * way)) << off;
+    EXPECT_TRUE(is_isolated(shapes::torus(), Vector3(3, 0, 0) + off * way)) << off;
+  }
+}
+
 TEST(HardCaseS6, TorusAxisAndSeams)
 {
   const Surface torus = shapes::torus();

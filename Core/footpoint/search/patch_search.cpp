@@ -30,6 +30,11 @@ constexpr double kFlat = 1e-6;
 constexpr double kProbe = 1e-2;
 constexpr double kEqualDistance = 1e-12;
 
+/// Above this part of what it is summed from an eigenvalue is no rounding, and above kCurved descents from
+/// beside the foot come back: at kProbe the slope is a hundredth of it.
+constexpr double kNoRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kCurved = 1e-10;
+
 /// Scaled eigenvalue of the Hessian below which two minima near each other differ by less than a
 /// tie in their distance: E = ¼s⁴ − ½λs² has depth ¼λ².
 constexpr double kFlatToRounding = 1e-7;
@@ -552,18 +557,36 @@ typename PatchSearchOf<N>::Curvatures PatchSearchOf<N>::curvatures(
   return result;
 }
 
-/// Where E is flat to second order along a direction, a descent is started a little way off on
-/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
-/// farther away).
+/// A minimum about which E curves upwards is isolated. Where E is flat to second order along a direction, a
+/// descent is started a little way off on either side: on a continuum it stays there, at an isolated
+/// minimum it comes back (or ends farther away). It need not be made where there is no slope but rounding.
 template <int N>
 bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
 {
   const Curvatures here = this->curvatures(point, foot);
   const Parameter<N> t = foot.local.head<N>();
+  const Vector3 query = this->local(point);
+  const FootConditions<N> conditions(this->Geometry, this->Solver);
   const double size = this->Geometry.size();
+  double summed = 1.0;
+  for (int i = 0; i < N; ++i)
+  {
+    for (int j = i; j < N; ++j)
+    {
+      const double second = here.jet.second.col(i + j).norm();
+      summed = std::max(summed, here.scale(i) * here.scale(j) * second * (size + foot.distance));
+    }
+  }
+  const double flat = std::clamp(kNoRounding * summed, kCurved, kFlat);
+  const auto is_as_near_beside = [&](const Vector3& at, double distance)
+  {
+    const double apart = (at - here.jet.point).norm();
+    return apart > 0.5 * kProbe * size && apart < 2.0 * kProbe * size &&
+      std::abs(distance - foot.distance) <= kEqualDistance * size;
+  };
   for (int k = 0; k < N; ++k)
   {
-    if (here.values(k) > kFlat)
+    if (here.values(k) > flat)
     {
       continue;
     }
@@ -573,12 +596,15 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
     step *= kProbe * size / (length > 0.0 ? length : 1.0);
     for (const double sign : { -1.0, 1.0 })
     {
-      const LocalFoot<N> other = find_local_foot<N>(
-        this->Geometry, this->local(point), Parameter<N>(t + sign * step), this->Solver);
-      const double apart = (other.point - here.jet.point).norm();
-      const double difference = std::abs(other.distance - foot.distance);
-      if (apart > 0.5 * kProbe * size && apart < 2.0 * kProbe * size &&
-        difference <= kEqualDistance * size && other.converged)
+      const Parameter<N> beside = t + sign * step;
+      const auto place = conditions.walk().enter(beside);
+      const Frame<N> frame = make_frame<N>(this->Geometry, query, place.t, place.sides);
+      if (is_as_near_beside(frame.jet.point, frame.distance) && conditions.excess(frame) <= 1.0)
+      {
+        return false;
+      }
+      const LocalFoot<N> other = find_local_foot<N>(this->Geometry, query, beside, this->Solver);
+      if (other.converged && is_as_near_beside(other.point, other.distance))
       {
         return false;
       }
