@@ -195,6 +195,10 @@ TEST(PositiveForm, FixedDegreesAnswerTheSame)
       { { 1.0, random.uniform(-1.1, 1.1), random.magnitude(1.0) } }, t,
       random.uniform(-1e-3, 1e-3));
     EXPECT_EQ((is_positive<6, 6, 8>(form, t)), (is_positive<-1, -1, 8>(form, t)));
+    const Polynomial narrow = square_form(6, 2,
+      { { 1.0, random.uniform(-1.1, 1.1), random.magnitude(1.0) } }, t,
+      random.uniform(-1e-3, 1e-3));
+    EXPECT_EQ((is_positive<6, 2, 8>(narrow, t)), (is_positive<-1, -1, 4>(narrow, t)));
     const Polynomial line = square_form(0, 6, { { 0.0, 0.0, 1.0 } }, { { 0.0, t[1] } },
       random.uniform(-1e-3, 1e-3));
     EXPECT_EQ((is_positive<0, 6, 8>(line, { { 0.0, t[1] } })),

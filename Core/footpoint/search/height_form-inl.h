@@ -39,7 +39,7 @@ struct HeightView
 ///
 ///   w (|S − P|² − |r|² + E) = w |S − f|² + 2 r·(N − w f) + w E ≥ 2 r·(N − w f) + min w (A(t − t₀) + E)
 ///
-/// has the degree of the piece (two at least), and so less than a third of the coefficients that the
+/// has the degree of the piece (two or three where that is one), and so less than a third of the coefficients that the
 /// distance form of a bicubic piece has. Where the curvature is what decides, far from the surface, little
 /// is lost.
 ///
@@ -55,7 +55,9 @@ public:
   /// Numbers of memory that it needs.
   static int size_of_memory(const PieceShape& shape)
   {
-    return Form::size_of_memory(raised_degree(shape.degree[0]), raised_degree(shape.degree[1]));
+    const std::array<int, 2>& degree = shape.degree;
+    return Form::size_of_memory(
+      form_degree(degree[0], degree[1]), form_degree(degree[1], degree[0]));
   }
 
   /// Whether |S − P|² ≥ |r|² − E is proved for all of the piece.
@@ -63,19 +65,32 @@ public:
   static bool proves(const Piece& piece, const HeightView& view, double* memory)
   {
     const std::array<int, 2>& degree = piece.shape->degree;
-    Form form(raised_degree(degree[0]), raised_degree(degree[1]), view.t, memory);
+    Form form(
+      form_degree(degree[0], degree[1]), form_degree(degree[1], degree[0]), view.t, memory);
     return form.is_positive(fill(piece, view, form, memory), kMostCells);
   }
 
 private:
   static constexpr int kWidth = 4;
   static constexpr int kMostCells = 16;
-  using Form = PositiveForm<raised_degree(P), raised_degree(Q), kWidth>;
+  /// Linear directions have at least degree two, which the square form is of; three beside a cubic one, since a
+  /// vector holds as much and both are equal then.
+  static constexpr int form_degree(int degree, int other)
+  {
+    return degree == 1 ? std::clamp(other, 2, 3) : degree;
+  }
+  using Form = PositiveForm<form_degree(P, Q), form_degree(Q, P), kWidth>;
 
   /// Bernstein coefficient of (t − t₀)².
   static HWY_INLINE double square(int k, int n, double t0)
   {
     return n < 2 ? 0.0 : t0 * t0 - t0 * (2.0 * k / n) + k * (k - 1.0) / (n * (n - 1.0));
+  }
+
+  /// Number k of a straight line from a to b raised to degree n.
+  static HWY_INLINE double between(double a, double b, int k, int n)
+  {
+    return k == n ? b : a + k * (1.0 / n) * (b - a);
   }
 
   /// \param f receives the coefficients \return the greatest of them, by magnitude
@@ -102,8 +117,10 @@ private:
       }
       if (q == 1)
       {
-        row[2] = row[1];
-        row[1] = 0.5 * (row[0] + row[2]);
+        for (int j = m; j > 0; --j)
+        {
+          row[j] = between(row[0], row[1], j, m);
+        }
       }
       for (int j = m + 1; j < stride; ++j)
       {
@@ -114,10 +131,12 @@ private:
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, kWidth>()));
     if (p == 1)
     {
-      for (int j = 0; j < stride; ++j)
+      for (int i = n; i > 0; --i)
       {
-        f[2 * stride + j] = f[stride + j];
-        f[stride + j] = 0.5 * (f[j] + f[2 * stride + j]);
+        for (int j = 0; j < stride; ++j)
+        {
+          f[i * stride + j] = between(f[j], f[stride + j], i, n);
+        }
       }
     }
     const double least_weight =
@@ -130,24 +149,25 @@ private:
           bound_of_length(view.r) * piece.reach * greatest_weight +
         32.0 * (a + 2.0 * std::abs(b) + c));
     const double constant = least_weight * view.allowed - margin;
-    double along_v[Form::kMostColumns];
-    double step_v[Form::kMostColumns];
-    for (int j = 0; j < stride; ++j)
-    {
-      const int k = std::min(j, m);
-      along_v[j] = c * square(k, m, view.t[1]) + constant;
-      step_v[j] = 2.0 * b * (k * (1.0 / m) - view.t[1]);
-    }
     auto greatest = hn::Zero(tag);
-    for (int i = 0; i <= n; ++i)
+    for (int j = 0; j < stride; j += kLanes)
     {
-      const auto along_u = hn::Set(tag, a * square(i, n, view.t[0]));
-      const auto step_u = hn::Set(tag, n > 0 ? i * (1.0 / n) - view.t[0] : 0.0);
-      for (int j = 0; j < stride; j += kLanes)
+      HWY_ALIGN double along_v[kLanes];
+      HWY_ALIGN double step_v[kLanes];
+      for (int lane = 0; lane < kLanes; ++lane)
       {
+        const int k = std::min(j + lane, m);
+        along_v[lane] = c * square(k, m, view.t[1]) + constant;
+        step_v[lane] = 2.0 * b * (k * (1.0 / m) - view.t[1]);
+      }
+      const auto along = hn::Load(tag, along_v);
+      const auto step = hn::Load(tag, step_v);
+      for (int i = 0; i <= n; ++i)
+      {
+        const auto along_u = hn::Set(tag, a * square(i, n, view.t[0]));
+        const auto step_u = hn::Set(tag, n > 0 ? i * (1.0 / n) - view.t[0] : 0.0);
         double* at = f + i * stride + j;
-        const auto square = hn::Add(
-          hn::MulAdd(step_u, hn::LoadU(tag, step_v + j), along_u), hn::LoadU(tag, along_v + j));
+        const auto square = hn::Add(hn::MulAdd(step_u, step, along_u), along);
         const auto value = hn::Add(hn::LoadU(tag, at), square);
         greatest = hn::Max(greatest, hn::Abs(value));
         hn::StoreU(value, tag, at);

@@ -330,6 +330,8 @@ HWY_INLINE auto with_shape(const PieceShape& shape, const Function& function)
       : p == 0              ? function(None(), Any(), false_type())
       : p == 1 && q == 1    ? function(One(), One(), false_type())
       : p == 2 && q == 2    ? function(Two(), Two(), false_type())
+      : p == 3 && q == 1    ? function(Three(), One(), false_type())
+      : p == 1 && q == 3    ? function(One(), Three(), false_type())
                             : function(Any(), Any(), false_type());
   }
   return p == 2 && q == 2 ? function(Two(), Two(), true_type())

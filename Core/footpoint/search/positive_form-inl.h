@@ -12,8 +12,10 @@
 #include "footpoint/search/piece_evaluation-inl.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace footpoint
@@ -28,97 +30,96 @@ namespace
 /// positive and has the same mixed coefficient at that corner have to be positive; in other cells all
 /// coefficients. Cells that fail are halved; a corner that is not positive ends the attempt.
 ///
+/// A cell is cut across its rows, whole rows at a time; to be cut across its columns it is transposed first, and
+/// stays so. A line's only row is taken for a column from the beginning.
+///
 /// Rounding: cutting adds 4 (max(n, m) + 1) u × the greatest coefficient each time.
 ///
-/// \tparam N, M degrees; −1: any \tparam Width rows are padded to whole multiples of this
+/// \tparam N, M degrees; −1: any; N is 0 for lines \tparam Width rows are padded to whole multiples of this
 template <int N, int M, int Width>
 class PositiveForm
 {
 public:
   static constexpr int kMostCuts = 10; ///< one after the other
-  static constexpr int kMostColumns =
-    ((M < 0 ? 2 * kMaximumDegree : M) + Width) / Width * Width;
 
   /// \param foot where it is nearly zero, or may be
   PositiveForm(int n, int m, const Pair& foot, double* memory)
-    : Rows(n + 1)
-    , Columns(m + 1)
+    : Degree{ { n, m } }
     , T(foot)
     , Memory(memory)
   {
   }
 
   /// Numbers of memory that it needs.
-  static int size_of_memory(int n, int m)
-  {
-    const int stride = (m + Width) / Width * Width;
-    return (kMostCuts + 1) * (n + 1) * stride + 4 * (m + 1) * stride;
-  }
+  static int size_of_memory(int n, int m) { return (kMostCuts + 1) * size_of_cell(n, m); }
 
-  HWY_INLINE int n() const { return N >= 0 ? N : this->Rows - 1; }
-  HWY_INLINE int m() const { return M >= 0 ? M : this->Columns - 1; }
-  /// Numbers from one row to the next; the last one is repeated.
+  HWY_INLINE int n() const { return N >= 0 ? N : this->Degree[0]; }
+  HWY_INLINE int m() const { return M >= 0 ? M : this->Degree[1]; }
+  /// Numbers from one row to the next, as it begins; the last one is repeated.
   HWY_INLINE int stride() const { return (this->m() + Width) / Width * Width; }
-  /// Numbers of a cell.
-  HWY_INLINE int size() const { return (this->n() + 1) * this->stride(); }
 
   /// Whether the polynomial is positive for certain whose coefficients the memory begins with, and loses.
   /// \param greatest of the coefficients, by magnitude \param most_cells to look at; after that another way is
   ///        better
   bool is_positive(double greatest, int most_cells)
   {
-    this->ErrorOfCut = 4.0 * (std::max(this->n(), this->m()) + 1) * kRounding * greatest;
+    const double error_of_cut =
+      4.0 * (std::max(this->n(), this->m()) + 1) * kRounding * greatest;
+    const int size = size_of_cell(this->n(), this->m());
     Cell cells[kMostCuts + 1];
     cells[0].cuts = 0;
+    cells[0].row_direction = kIsLine ? 1 : 0;
     for (int i = 0; i < 2; ++i)
     {
-      const bool is_line = i == 0 && this->n() == 0; // of a curve, whose first parameter is none
-      cells[0].foot[i] = is_line || this->T[i] <= 0.0 ? FootAt::Start
-        : this->T[i] >= 1.0                           ? FootAt::End
-                                                      : FootAt::Middle;
+      const int direction = kIsLine ? 1 - i : i;
+      const bool is_none = direction == 0 && this->n() == 0; // the first parameter of a line
+      cells[0].foot[i] = is_none || this->T[direction] <= 0.0 ? FootAt::Start
+        : this->T[direction] >= 1.0                           ? FootAt::End
+                                                              : FootAt::Middle;
     }
     int left = 1;
     for (int cells_seen = 0; left > 0; ++cells_seen)
     {
-      const Cell cell = cells[left - 1];
-      double* f = this->Memory + (left - 1) * this->size();
-      const double error = cell.cuts * this->ErrorOfCut;
-      if (cells_seen == most_cells || !this->corners_are_above(f, error))
+      if (cells_seen == most_cells)
       {
         return false;
       }
-      if (this->is_above(f, error) || this->is_above_square(cell, f, error))
+      Cell& low = cells[left - 1];
+      double* f = this->Memory + (left - 1) * size;
+      const double error = low.cuts * error_of_cut;
+      const bool has_foot = low.foot[0] != FootAt::Elsewhere && low.foot[1] != FootAt::Elsewhere;
+      const bool is_to_be_cut_there =
+        has_foot && (low.foot[0] == FootAt::Middle || low.foot[1] == FootAt::Middle);
+      // One that is cut at the foot already and will be once more has the foot on a side.
+      if (!is_to_be_cut_there || low.cuts == 0)
       {
-        --left;
-        continue;
+        if (this->is_above(low, f, error) ||
+          (has_foot && !is_to_be_cut_there && this->is_above_square(low, f, error)))
+        {
+          --left;
+          continue;
+        }
+        if (low.cuts == kMostCuts || !this->corners_are_above(low, f, error))
+        {
+          return false;
+        }
       }
-      if (cell.cuts == kMostCuts)
-      {
-        return false;
-      }
-      const bool has_foot = cell.foot[0] != FootAt::Elsewhere && cell.foot[1] != FootAt::Elsewhere;
-      Cell low = cell;
+      double* upper = f + size;
+      const int across =
+        is_to_be_cut_there ? (low.foot[0] == FootAt::Middle ? 0 : 1) : this->longer_direction(low, f);
+      this->copy_with_rows_across(across, low, f, upper);
+      const double at = is_to_be_cut_there ? this->T[low.row_direction] : 0.5;
+      this->cut(low, at, f, upper);
       ++low.cuts;
-      Cell high = low;
-      double* upper = f + this->size();
-      int i = 0;
-      double at = 0.5;
-      if (has_foot && (cell.foot[0] == FootAt::Middle || cell.foot[1] == FootAt::Middle))
-      {
-        i = cell.foot[0] == FootAt::Middle ? 0 : 1;
-        at = this->T[i];
-        low.foot[i] = FootAt::End;
-        high.foot[i] = FootAt::Start;
-      }
-      else
-      {
-        i = this->longer_direction(f);
-        low.foot[i] = cell.foot[i] == FootAt::Start ? FootAt::Start : FootAt::Elsewhere;
-        high.foot[i] = cell.foot[i] == FootAt::End ? FootAt::End : FootAt::Elsewhere;
-      }
-      i == 0 ? this->cut_rows(f, at, upper) : this->cut_columns(f, this->weights(at), upper);
-      cells[left - 1] = low;
-      cells[left++] = high;
+      Cell& high = cells[left++];
+      high = low;
+      const FootAt foot = low.foot[0];
+      low.foot[0] = foot == FootAt::Start ? FootAt::Start
+        : is_to_be_cut_there              ? FootAt::End
+                                          : FootAt::Elsewhere;
+      high.foot[0] = foot == FootAt::End ? FootAt::End
+        : is_to_be_cut_there             ? FootAt::Start
+                                         : FootAt::Elsewhere;
     }
     return true;
   }
@@ -134,43 +135,78 @@ private:
   };
   struct Cell
   {
-    FootAt foot[2];
+    FootAt foot[2];    ///< along its columns, from row to row, and along its rows
+    int row_direction; ///< of the polynomial, along which its rows follow each other
     int cuts;
   };
+  static constexpr bool kIsLine = N == 0;
+  static constexpr bool kIsSquare = N > 0 && N == M;
+  static constexpr int kWidth = kIsLine ? 1 : Width;
+  static constexpr int kMostRows = kIsSquare || (kIsLine && M >= 0) ? M + 1 : 2 * kMaximumDegree + 1;
+  using Tag = hn::CappedTag<double, kWidth>;
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag())); // of one size wherever this compiles
 
-  /// Values of the form, below which no cut helps.
-  bool corners_are_above(const double* f, double error) const
+  static HWY_INLINE int stride_of(int degree) { return (degree + kWidth) / kWidth * kWidth; }
+  /// Numbers of a cell, and of the transposed one.
+  static HWY_INLINE int size_of_cell(int n, int m)
   {
-    const double* last = f + this->n() * this->stride();
-    return f[0] >= error && f[this->m()] >= error && last[0] >= error && last[this->m()] >= error;
+    return std::max((n + 1) * stride_of(m), (m + 1) * stride_of(n));
+  }
+  /// Degrees of a cell from row to row, and along its rows.
+  HWY_INLINE int n(const Cell& cell) const
+  {
+    return kIsSquare ? N : kIsLine ? this->m() : this->Degree[cell.row_direction];
+  }
+  HWY_INLINE int m(const Cell& cell) const
+  {
+    return kIsSquare ? M : kIsLine ? 0 : this->Degree[1 - cell.row_direction];
   }
 
-  bool is_above(const double* f, double error) const
+  /// Values of the form, below which no cut helps.
+  bool corners_are_above(const Cell& cell, const double* f, double error) const
   {
-    const hn::CappedTag<double, Width> tag;
-    auto least = hn::LoadU(tag, f);
-    for (int k = 0; k < this->size(); k += static_cast<int>(hn::Lanes(tag)))
+    const int m = this->m(cell);
+    const double* last = f + this->n(cell) * stride_of(m);
+    return f[0] >= error && f[m] >= error && last[0] >= error && last[m] >= error;
+  }
+
+  HWY_INLINE bool is_above(const Cell& cell, const double* f, double error) const
+  {
+    const int n = this->n(cell);
+    if constexpr (kIsLine)
     {
-      least = hn::Min(least, hn::LoadU(tag, f + k));
+      return std::all_of(f, f + n + 1, [&](double each) { return each >= error; });
     }
-    return hn::GetLane(hn::MinOfLanes(tag, least)) >= error;
+    const Tag tag;
+    const int m = this->m(cell);
+    const auto least = hn::Set(tag, error);
+    auto above = hn::Ge(least, least);
+    for (int i = 0; i <= n; ++i, f += stride_of(m))
+    {
+      for (int j = 0; j <= m; j += kLanes)
+      {
+        above = hn::And(above, hn::Ge(hn::LoadU(tag, f + j), least));
+      }
+    }
+    return hn::AllTrue(tag, above);
   }
 
   /// The same after a square form about the foot, whose coefficients are a i (i − 1) − b i j + c j (j − 1)
   /// from the foot's corner on: not negative for a c ≥ b² n m / (4 (n − 1) (m − 1)).
-  bool is_above_square(const Cell& cell, const double* f, double error) const
+  /// \pre the foot is at a corner
+  HWY_INLINE bool is_above_square(const Cell& cell, const double* f, double error) const
   {
-    const bool ends[2] = { cell.foot[0] == FootAt::End, cell.foot[1] == FootAt::End };
-    const int n = this->n();
-    const int m = this->m();
-    const int stride = this->stride();
-    if (n == 0 || !(ends[0] || cell.foot[0] == FootAt::Start) ||
-      !(ends[1] || cell.foot[1] == FootAt::Start))
+    const int n = this->n(cell);
+    const int m = this->m(cell);
+    if (n == 0 || m == 0)
     {
       return false;
     }
+    const int stride = stride_of(m);
+    const bool is_last_row = cell.foot[0] == FootAt::End;
+    const bool is_last_column = cell.foot[1] == FootAt::End;
     const auto at = [&](int i, int j)
-    { return f[(ends[0] ? n - i : i) * stride + (ends[1] ? m - j : j)]; };
+    { return f[(is_last_row ? n - i : i) * stride + (is_last_column ? m - j : j)]; };
     const double most_a = 0.5 * at(2, 0);
     const double most_c = 0.5 * at(0, 2);
     // With the mixed coefficient all of its error is taken away, and the rounding of what is.
@@ -190,165 +226,132 @@ private:
     const double part = std::sqrt(least / most) * (1.0 + 8.0 * kRounding);
     const double a = part * most_a;
     const double c = part * most_c;
-    double along_v[kMostColumns];
-    double step_v[kMostColumns];
-    for (int j = 0; j < stride; ++j)
+    const Tag tag;
+    auto above = hn::Ge(hn::Zero(tag), hn::Zero(tag));
+    for (int j = 0; j <= m; j += kLanes)
     {
-      const int k = ends[1] ? std::max(m - j, 0) : std::min(j, m);
-      along_v[j] = c * (k * (k - 1.0)) + allowance;
-      step_v[j] = b * k;
-    }
-    const hn::CappedTag<double, Width> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, Width>()));
-    for (int i = 0; i <= n; ++i)
-    {
-      const double k = ends[0] ? n - i : i;
-      const auto along_u = hn::Set(tag, a * (k * (k - 1.0)));
-      const auto step_u = hn::Set(tag, k);
-      for (int j = 0; j < stride; j += kLanes)
-      {
-        const auto taken = hn::NegMulAdd(
-          step_u, hn::LoadU(tag, step_v + j), hn::Add(along_u, hn::LoadU(tag, along_v + j)));
-        if (!hn::AllTrue(tag, hn::Ge(hn::LoadU(tag, f + i * stride + j), taken)))
-        {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  /// Matrices of a cut, which is one at the foot or in the middle.
-  const double* weights(double s)
-  {
-    const int number = s == 0.5 ? 1 : 0;
-    double* weights = this->Memory + (kMostCuts + 1) * this->size() +
-      number * 2 * (this->m() + 1) * this->stride();
-    if (!this->IsPrepared[number])
-    {
-      this->prepare(s, weights);
-      this->IsPrepared[number] = true;
-    }
-    return weights;
-  }
-
-  /// Along which the form changes more.
-  int longer_direction(const double* f) const
-  {
-    const int m = this->m();
-    const double* last = f + this->n() * this->stride();
-    const double along_u = std::abs(last[0] - f[0]) + std::abs(last[m] - f[m]);
-    const double along_v = std::abs(f[m] - f[0]) + std::abs(last[m] - last[0]);
-    return this->n() > 0 && along_u > along_v ? 0 : 1;
-  }
-
-  /// De Casteljau 1959; the coefficients become those of the lower part.
-  void cut_rows(double* f, double s, double* upper) const
-  {
-    const int n = this->n();
-    const int stride = this->stride();
-    const hn::CappedTag<double, Width> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, Width>()));
-    const auto high = hn::Set(tag, s);
-    const auto low = hn::Set(tag, 1.0 - s);
-    for (int j = 0; j < stride; j += kLanes)
-    {
+      // From the foot's corner on; what pads a row is its last number.
+      const auto column =
+        hn::Min(hn::Iota(tag, static_cast<double>(j)), hn::Set(tag, static_cast<double>(m)));
+      const auto k =
+        is_last_column ? hn::Sub(hn::Set(tag, static_cast<double>(m)), column) : column;
+      const auto along = hn::MulAdd(hn::Mul(hn::Set(tag, c), k), hn::Sub(k, hn::Set(tag, 1.0)),
+        hn::Set(tag, allowance));
+      const auto step = hn::Mul(hn::Set(tag, b), k);
       for (int i = 0; i <= n; ++i)
       {
-        hn::StoreU(hn::LoadU(tag, f + i * stride + j), tag, upper + i * stride + j);
+        const double row = is_last_row ? n - i : i;
+        const auto taken =
+          hn::NegMulAdd(hn::Set(tag, row), step, hn::Add(hn::Set(tag, a * (row * (row - 1.0))), along));
+        above = hn::And(above, hn::Ge(hn::LoadU(tag, f + i * stride + j), taken));
       }
+    }
+    return hn::AllTrue(tag, above);
+  }
+
+  /// Along which the form changes more: 0 from row to row.
+  int longer_direction(const Cell& cell, const double* f) const
+  {
+    const int n = this->n(cell);
+    const int m = this->m(cell);
+    const double* last = f + n * stride_of(m);
+    const double along_column = std::abs(last[0] - f[0]) + std::abs(last[m] - f[m]);
+    const double along_row = std::abs(f[m] - f[0]) + std::abs(last[m] - last[0]);
+    return m == 0 || (n > 0 && along_column > along_row) ? 0 : 1;
+  }
+
+  /// \param across direction of the cell that its rows are to follow each other along
+  HWY_INLINE void copy_with_rows_across(
+    int across, Cell& cell, const double* f, double* result) const
+  {
+    const int n = this->n(cell);
+    const int m = this->m(cell);
+    const int stride = stride_of(m);
+    if (across == 0)
+    {
+      std::copy(f, f + (n + 1) * stride, result);
+      return;
+    }
+    std::swap(cell.foot[0], cell.foot[1]);
+    cell.row_direction = 1 - cell.row_direction;
+    // Blocks of four rows.
+    const hn::CappedTag<double, 4> tag;
+    constexpr int kColumns = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, 4>()));
+    const int result_stride = stride_of(n);
+    for (int i = 0; i < result_stride; i += 4)
+    {
+      // The last one pads.
+      const double* rows[4];
+      for (int k = 0; k < 4; ++k)
+      {
+        rows[k] = f + std::min(i + k, n) * stride;
+      }
+      for (int j = 0; j <= m; j += kColumns)
+      {
+        HWY_ALIGN double columns[4 * kColumns];
+        hn::StoreInterleaved4(hn::LoadU(tag, rows[0] + j), hn::LoadU(tag, rows[1] + j),
+          hn::LoadU(tag, rows[2] + j), hn::LoadU(tag, rows[3] + j), tag, columns);
+        for (int k = 0; k < std::min(kColumns, m - j + 1); ++k)
+        {
+          for (int l = 0; l < 4; l += kColumns)
+          {
+            hn::StoreU(
+              hn::Load(tag, columns + 4 * k + l), tag, result + (j + k) * result_stride + i + l);
+          }
+        }
+      }
+    }
+  }
+
+  /// De Casteljau 1959.
+  /// \param upper with the coefficients, whose place those of the upper part take \param lower receives the others
+  HWY_INLINE void cut(const Cell& cell, double s, double* lower, double* upper) const
+  {
+    const int n = this->n(cell);
+    if constexpr (kIsLine)
+    {
+      lower[0] = upper[0];
       for (int level = 1; level <= n; ++level)
       {
-        auto here = hn::LoadU(tag, upper + j);
         for (int i = 0; i <= n - level; ++i)
         {
-          double* at = upper + i * stride + j;
-          const auto next = hn::LoadU(tag, at + stride);
-          const auto between = hn::MulAdd(high, next, hn::Mul(low, here));
-          hn::StoreU(between, tag, at);
-          if (i == 0)
-          {
-            hn::StoreU(between, tag, f + level * stride + j);
-          }
-          here = next;
+          upper[i] = s * upper[i + 1] + (1.0 - s) * upper[i];
         }
+        lower[level] = upper[0];
       }
+      return;
     }
-  }
-
-  /// The same by the matrices of a cut: column j, row k is the weight of coefficient k in coefficient j of
-  /// the lower part, after them those of the upper one.
-  void cut_columns(double* f, const double* weights, double* upper) const
-  {
-    const int m = this->m();
-    const int stride = this->stride();
-    const hn::CappedTag<double, Width> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, Width>()));
-    const double* upper_weights = weights + (m + 1) * stride;
-    for (int i = 0; i <= this->n(); ++i, f += stride, upper += stride)
+    const Tag tag;
+    const int m = this->m(cell);
+    const int stride = stride_of(m);
+    const auto high = hn::Set(tag, s);
+    const auto low = hn::Set(tag, 1.0 - s);
+    for (int j = 0; j <= m; j += kLanes)
     {
-      double row[kMostColumns];
-      for (int k = 0; k <= m; ++k)
+      hn::Vec<Tag> row[kMostRows];
+      for (int i = 0; i <= n; ++i)
       {
-        row[k] = f[k];
+        row[i] = hn::LoadU(tag, upper + i * stride + j);
       }
-      for (int j = 0; j < stride; j += kLanes)
+      hn::StoreU(row[0], tag, lower + j);
+      for (int level = 1; level <= n; ++level)
       {
-        auto low = hn::Zero(tag);
-        auto high = low;
-        for (int k = 0; k <= m; ++k)
+        for (int i = 0; i <= n - level; ++i)
         {
-          const auto value = hn::Set(tag, row[k]);
-          low = hn::MulAdd(value, hn::LoadU(tag, weights + k * stride + j), low);
-          high = hn::MulAdd(value, hn::LoadU(tag, upper_weights + k * stride + j), high);
+          row[i] = hn::MulAdd(high, row[i + 1], hn::Mul(low, row[i]));
         }
-        hn::StoreU(low, tag, f + j);
-        hn::StoreU(high, tag, upper + j);
+        hn::StoreU(row[0], tag, lower + level * stride + j);
       }
-    }
-  }
-
-  /// Column j: Bernstein polynomials of degree j at s, and of degree m − j.
-  void prepare(double s, double* weights) const
-  {
-    const int m = this->m();
-    const int stride = this->stride();
-    const double t = 1.0 - s;
-    double* upper = weights + (m + 1) * stride;
-    double b[kMostColumns] = { 1.0 };
-    for (int j = 0; j < stride; ++j)
-    {
-      if (j > 0 && j <= m)
+      for (int i = 0; i <= n; ++i)
       {
-        b[j] = s * b[j - 1];
-        for (int k = j - 1; k > 0; --k)
-        {
-          b[k] = t * b[k] + s * b[k - 1];
-        }
-        b[0] *= t;
-      }
-      const int degree = std::min(j, m);
-      for (int k = 0; k <= m; ++k)
-      {
-        weights[k * stride + j] = k <= degree ? b[k] : 0.0;
-        if (j <= m)
-        {
-          upper[k * stride + m - j] = k >= m - degree ? b[k - m + degree] : 0.0;
-        }
-        else
-        {
-          upper[k * stride + j] = upper[k * stride + m];
-        }
+        hn::StoreU(row[i], tag, upper + i * stride + j);
       }
     }
   }
 
-  int Rows;
-  int Columns;
+  std::array<int, 2> Degree;
   Pair T; ///< the foot's parameters
-  bool IsPrepared[2] = { false, false };
-  double ErrorOfCut = 0.0;
-  double* Memory; ///< of the cells, one after the other, then of matrices
+  double* Memory; ///< of the cells, one after the other
 };
 
 } // namespace
