@@ -43,7 +43,7 @@ struct HeightView
 /// distance form of a bicubic piece has. Where the curvature is what decides, far from the surface, little
 /// is lost.
 ///
-/// Rounding: a coefficient of 2 r·(N − w f) is off by 2 (16 + roundings × max w / min w) u |r| × reach × max w
+/// Rounding: a coefficient of 2 r·(N − w f) is off by 2 (24 + roundings × max w / min w) u |r| × reach × max w
 /// at the most, of which the second part is that of f; one of the square form by 32 u (a + 2|b| + c).
 /// min w is the root of the smallest coefficient of w², which at a corner is a square rounded once.
 ///
@@ -145,7 +145,7 @@ private:
     const double b = least_weight * view.metric[1];
     const double c = least_weight * view.metric[2];
     const double margin = kRounding *
-      (2.0 * (16.0 + shape.roundings * greatest_weight / least_weight) *
+      (2.0 * (24.0 + shape.roundings * greatest_weight / least_weight) *
           bound_of_length(view.r) * piece.reach * greatest_weight +
         32.0 * (a + 2.0 * std::abs(b) + c));
     const double constant = least_weight * view.allowed - margin;
