@@ -179,6 +179,12 @@ TEST(HardCaseS6, ContinuaEndWhereTheQueryLeavesTheCentre)
     EXPECT_FALSE(is_isolated(shapes::sphere(), off * way)) << off;
     EXPECT_FALSE(is_isolated(shapes::torus(), Vector3(3, 0, 0) + off * way)) << off;
   }
+  // … also where it is far away beside the size, or of many pieces, whose second derivatives round more …
+  const Vector3 height(0, 0, 0.3);
+  EXPECT_FALSE(is_isolated(shapes::cylinder(1000.0, 0.06, 1), height));
+  EXPECT_FALSE(is_isolated(shapes::cylinder(100.0, 0.6, 4), height));
+  EXPECT_FALSE(is_isolated(shapes::cylinder(100.0, 6.0, 256), height));
+  EXPECT_FALSE(is_isolated(shapes::cylinder(1.0, 350.0, 4000), height));
   // … and beside it the foot is the point on that side.
   for (const double off : { 1e-8, 1e-5, 1e-2 })
   {

@@ -12,6 +12,7 @@
 #include "footpoint/search/positive_form-inl.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
@@ -77,7 +78,7 @@ private:
   /// vector holds as much and both are equal then.
   static constexpr int form_degree(int degree, int other)
   {
-    return degree == 1 ? std::clamp(other, 2, 3) : degree;
+    return degree == 1 ? (other == 3 ? 3 : 2) : degree;
   }
   using Form = PositiveForm<form_degree(P, Q), form_degree(Q, P), kWidth>;
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace footpoint
 {
@@ -19,10 +20,12 @@ namespace
 /// How equal the distance of another foot of a continuum has to be, as a fraction of the size.
 constexpr double kEqualDistance = 1e-12;
 
-/// Above this part of what it is summed from an eigenvalue is no rounding, and above kCurved descents from
-/// beside the foot come back: at kProbe the slope is a hundredth of it.
-constexpr double kNoRounding = 64.0 * std::numeric_limits<double>::epsilon();
-constexpr double kCurved = 1e-10;
+/// Rounding of a second derivative by the size over the square of a knot span: the differences of positions
+/// that it is made of, to degree ten and more.
+constexpr double kSecondRounding = 1024.0 * std::numeric_limits<double>::epsilon();
+
+/// A slope that many times its floor is one.
+constexpr double kClearSlope = 4.0;
 
 /// Scaled eigenvalue of the Hessian below which two minima near each other differ by less than a
 /// tie in their distance: E = ¼s⁴ − ½λs² has depth ¼λ².
@@ -31,6 +34,39 @@ constexpr double kFlatToRounding = 1e-7;
 /// Where on the way between two feet the distance is looked at: three places at no simple ratio, so
 /// that equally spaced minima of equal distance do not pass for one.
 constexpr double kBetween[] = { 0.17, 0.5, 0.79 };
+
+/// The shorter of the knot spans that meet at a local parameter.
+double span_at(const Direction& direction, double t)
+{
+  const std::vector<double>& spans = direction.spans;
+  if (spans.size() < 2)
+  {
+    return direction.length;
+  }
+  const auto next = std::upper_bound(spans.begin() + 1, spans.end() - 1, t);
+  const double width = *next - *(next - 1);
+  const bool is_on_line = *(next - 1) == t && next - 1 != spans.begin();
+  return is_on_line ? std::min(width, *(next - 1) - *(next - 2)) : width;
+}
+
+/// A scaled eigenvalue of the Hessian above which E curves upwards for certain, and above which descents from
+/// kProbe away come back, since the slope there is more than rounding.
+template <int N>
+double surely_curved(const ParametricGeometry<N>& geometry, const FootConditions<N>& conditions,
+  const Frame<N>& frame)
+{
+  const double size = geometry.size();
+  double result = 0.0;
+  for (int i = 0; i < N; ++i)
+  {
+    // S_ii · r in units of |S_i|². Where S stands still nothing is certain.
+    const double way = frame.speed(i) * span_at(geometry.direction(i), frame.t(i));
+    const double rounding = kSecondRounding * size * (size + frame.distance) / (way * way);
+    const double slope = kClearSlope * conditions.floor(frame, i) / (kProbe * size);
+    result = std::max({ result, rounding, slope });
+  }
+  return result;
+}
 
 } // namespace
 
@@ -70,13 +106,14 @@ typename PatchSearchOf<N>::Curvatures PatchSearchOf<N>::curvatures(
   eigen.computeDirect(scaled);
   result.values = eigen.eigenvalues();
   result.directions = eigen.eigenvectors();
-  result.jet = frame.jet;
+  result.frame = frame;
   return result;
 }
 
-/// A minimum about which E curves upwards is isolated. Where E is flat to second order along a direction, a
-/// descent is started a little way off on either side: on a continuum it stays there, at an isolated
-/// minimum it comes back (or ends farther away). It need not be made where there is no slope but rounding.
+/// Where E is flat to second order along a direction, a descent is started a little way off on
+/// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
+/// farther away). It need not be made where there is no slope but rounding, which it would stay at, nor where
+/// E curves upwards for certain.
 template <int N>
 bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
 {
@@ -85,31 +122,22 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
   const Vector3 query = this->local(point);
   const FootConditions<N> conditions(this->Geometry, this->Solver);
   const double size = this->Geometry.size();
-  double summed = 1.0;
-  for (int i = 0; i < N; ++i)
-  {
-    for (int j = i; j < N; ++j)
-    {
-      const double second = here.jet.second.col(i + j).norm();
-      summed = std::max(summed, here.scale(i) * here.scale(j) * second * (size + foot.distance));
-    }
-  }
-  const double flat = std::clamp(kNoRounding * summed, kCurved, kFlat);
   const auto is_as_near_beside = [&](const Vector3& at, double distance)
   {
-    const double apart = (at - here.jet.point).norm();
+    const double apart = (at - here.frame.jet.point).norm();
     return apart > 0.5 * kProbe * size && apart < 2.0 * kProbe * size &&
       std::abs(distance - foot.distance) <= kEqualDistance * size;
   };
+  const double curved = surely_curved(this->Geometry, conditions, here.frame);
   for (int k = 0; k < N; ++k)
   {
-    if (here.values(k) > flat)
+    if (here.values(k) > kFlat)
     {
       continue;
     }
     // As long in space as the probe; S_u and S_v need not be orthogonal.
     Parameter<N> step = here.scale.cwiseProduct(here.directions.col(k));
-    const double length = (here.jet.first * step).norm();
+    const double length = (here.frame.jet.first * step).norm();
     step *= kProbe * size / (length > 0.0 ? length : 1.0);
     for (const double sign : { -1.0, 1.0 })
     {
@@ -119,6 +147,10 @@ bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) con
       if (is_as_near_beside(frame.jet.point, frame.distance) && conditions.excess(frame) <= 1.0)
       {
         return false;
+      }
+      if (here.values(k) > curved)
+      {
+        continue;
       }
       const LocalFoot<N> other = find_local_foot<N>(this->Geometry, query, beside, this->Solver);
       if (other.converged && is_as_near_beside(other.point, other.distance))

@@ -5,10 +5,14 @@
 #include "footpoint/search/flattened_geometry.h"
 #include "footpoint/search/patch_search.h"
 #include "footpoint/search/stationary_search.h"
+#include "footpoint/solvers/frame.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace footpoint
 {
@@ -199,7 +203,7 @@ private:
     Parameter<N> values;
     Eigen::Matrix<double, N, N> directions;
     Parameter<N> scale; ///< 1 / |S_i|, 0 where S stands still
-    Jet<N> jet;
+    Frame<N> frame;
   };
   Curvatures curvatures(const Vector3& point, const PatchFoot& foot) const;
 

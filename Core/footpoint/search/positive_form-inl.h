@@ -142,7 +142,7 @@ private:
   static constexpr bool kIsLine = N == 0;
   static constexpr bool kIsSquare = N > 0 && N == M;
   static constexpr int kWidth = kIsLine ? 1 : Width;
-  static constexpr int kMostRows = kIsSquare || (kIsLine && M >= 0) ? M + 1 : 2 * kMaximumDegree + 1;
+  static constexpr int kMostRows = N >= 0 && M >= 0 ? std::max(N, M) + 1 : 2 * kMaximumDegree + 1;
   using Tag = hn::CappedTag<double, kWidth>;
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag())); // of one size wherever this compiles
 
