@@ -6,18 +6,19 @@
 namespace footpoint::conversion
 {
 
-void CachedInverter::update(const SourceGeometry& geometry, const InversionOptions& options)
+void CachedInverter::update(
+  const SourceGeometry& geometry, const InversionOptions& options, const Execution& execution)
 {
   const ContentHash content = geometry.hash();
   if (this->Inverter && content == this->Content)
   {
     const bool prepared = this->Inverter->is_prepared_for(options);
-    *this->Inverter = this->Inverter->with_options(options);
+    *this->Inverter = this->Inverter->with_options(options, execution);
     this->NumberOfBuilds += prepared ? 0 : 1;
     return;
   }
   this->Inverter.reset();
-  ConvertedModel converted = geometry.convert();
+  ConvertedModel converted = geometry.convert(execution);
   this->Problems = converted.messages();
   if (converted.empty())
   {
@@ -29,7 +30,8 @@ void CachedInverter::update(const SourceGeometry& geometry, const InversionOptio
     throw GeometryError(
       GeometryDefect::Format, message.empty() ? "The source has no faces." : message);
   }
-  this->Inverter = std::make_unique<PointInverter>(std::move(converted.model), options);
+  this->Inverter =
+    std::make_unique<PointInverter>(std::move(converted.model), options, execution);
   this->Content = content;
   ++this->NumberOfBuilds;
 }

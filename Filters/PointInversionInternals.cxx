@@ -85,7 +85,7 @@ std::string vtkPointInversionFilter::Internals::Prepare(
     {
       return "No geometry: neither a source (port 1) nor a parametric function is set.";
     }
-    this->Inverter.update(geometry, Options(self));
+    this->Inverter.update(geometry, Options(self), make_execution(self));
     return "";
   }
   catch (const footpoint::GeometryError& error)

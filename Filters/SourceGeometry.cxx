@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SourceGeometry.h"
 
+#include "AlgorithmExecution.h"
 #include "ParametricFunctionGeometry.h"
 
 #include "footpoint/common/errors.h"
@@ -36,11 +37,11 @@ ContentHash SourceGeometry::hash() const
   return hash;
 }
 
-ConvertedModel SourceGeometry::convert() const
+ConvertedModel SourceGeometry::convert(const Execution& execution) const
 {
   if (this->source)
   {
-    return convert_to_model(this->source, this->flip);
+    return convert_to_model(this->source, this->flip, execution);
   }
   ConvertedModel result;
   try
@@ -109,7 +110,7 @@ bool convert_input(
     vtkErrorWithObjectMacro(filter, "No input geometry.");
     return false;
   }
-  converted = convert_to_model(input, flip);
+  converted = convert_to_model(input, flip, make_execution(filter));
   for (const std::string& problem : converted.messages())
   {
     if (converted.empty())

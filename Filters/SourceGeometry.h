@@ -26,8 +26,8 @@ struct SourceGeometry
   bool exists() const { return this->source || this->function; }
   /// By content; functions, whose content cannot be read, by identity and modification time.
   ContentHash hash() const;
-  /// Never throws for bad geometry.
-  ConvertedModel convert() const;
+  /// Never throws for bad geometry. \param execution what trimming many faces is shared out to
+  ConvertedModel convert(const Execution& execution) const;
 };
 
 /// Port 1: spline geometry, optional.

@@ -104,14 +104,14 @@ Rows find_rows(vtkDataObject* input, const std::string& parameters, const std::s
 }
 
 /// \throw std::invalid_argument where there is no face, with a line for each problem
-ConvertedModel convert(const SourceGeometry& geometry)
+ConvertedModel convert(const SourceGeometry& geometry, const footpoint::Execution& execution)
 {
   if (!geometry.exists())
   {
     throw std::invalid_argument(
       "No geometry: neither a source (port 1) nor a parametric function is set.");
   }
-  ConvertedModel converted = geometry.convert();
+  ConvertedModel converted = geometry.convert(execution);
   if (converted.empty())
   {
     std::string message;
@@ -330,7 +330,7 @@ int vtkSplineEvaluator::RequestData(
     const SourceGeometry geometry = this->Internal->Geometry.update(
       { vtkDataObject::GetData(inputs[1]), this->ParametricFunction, this->FlipNormals }, ranks);
     rows = find_rows(input, this->ParametersArrayName, this->FaceIdArrayName);
-    converted = convert(geometry);
+    converted = convert(geometry, make_execution(this));
     check_rows(rows, converted.model, this->ParametersArrayName, this->FaceIdArrayName);
   }
   catch (const std::exception& problem)

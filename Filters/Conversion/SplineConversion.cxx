@@ -144,7 +144,7 @@ private:
   {
     try
     {
-      Face face = convert_trimmed_face(blocks, name);
+      Face face = read_trimmed_face(blocks, name);
       face.name = name;
       face.reversed = face.reversed != this->Flip;
       this->Result.model.push_back(std::move(face));
@@ -234,6 +234,40 @@ private:
   bool Flip;
 };
 
+/// Makes the regions of all faces with loops, each by itself.
+void trim_all(ConvertedModel& result, const Execution& execution)
+{
+  std::vector<std::string> messages(result.model.size());
+  for_each_index(execution, static_cast<std::int64_t>(messages.size()), kFacesForThreads,
+    [&](std::int64_t k)
+    {
+      Face& face = result.model[k];
+      try
+      {
+        if (!face.loops.empty())
+        {
+          trim(face);
+        }
+      }
+      catch (const GeometryError& error)
+      {
+        messages[k] = error.what();
+      }
+    });
+  for (std::size_t k = 0; k < messages.size(); ++k)
+  {
+    if (!messages[k].empty())
+    {
+      Face refused;
+      refused.name = result.model[k].name;
+      result.model[k] = std::move(refused);
+      result.problems.push_back({ k, messages[k] });
+    }
+  }
+  std::stable_sort(result.problems.begin(), result.problems.end(),
+    [](const Problem& a, const Problem& b) { return a.face < b.face; });
+}
+
 } // namespace
 
 bool ConvertedModel::empty() const
@@ -258,10 +292,11 @@ std::vector<std::string> ConvertedModel::messages() const
   return result;
 }
 
-ConvertedModel convert_to_model(vtkDataObject* source, bool flip)
+ConvertedModel convert_to_model(vtkDataObject* source, bool flip, const Execution& execution)
 {
   ConvertedModel result;
   Collector(result, flip).add(source, "");
+  trim_all(result, execution);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #ifndef SplineConversion_h
 #define SplineConversion_h
 
+#include "footpoint/common/execution.h"
 #include "footpoint/model/model.h"
 
 #include <array>
@@ -47,7 +48,9 @@ struct ConvertedModel
 /// bad geometry.
 /// \param source     not null
 /// \param flip       reverse the normals of all faces
-ConvertedModel convert_to_model(vtkDataObject* source, bool flip);
+/// \param execution  what trimming many faces is shared out to
+ConvertedModel convert_to_model(
+  vtkDataObject* source, bool flip, const Execution& execution = {});
 
 /// What is said of a face in field data.
 struct FaceAttributes
@@ -76,6 +79,8 @@ bool is_trimmed_face(vtkMultiBlockDataSet* blocks);
 /// \param name becomes that of the surface's field data where there is one
 /// \throw GeometryError naming the loop, the curve and the value
 Face convert_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name);
+/// The same without its region.
+Face read_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name);
 
 /// Bézier cells, grouped by the cell array `FaceId`; without it every cell is a face. The faces are
 /// numbered from 0 by the values of `FaceId`, numbers that do not occur are faces without patches.

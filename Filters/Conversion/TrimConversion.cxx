@@ -207,6 +207,13 @@ bool is_trimmed_face(vtkMultiBlockDataSet* blocks)
 
 Face convert_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name)
 {
+  Face face = read_trimmed_face(blocks, name);
+  trim(face);
+  return face;
+}
+
+Face read_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name)
+{
   // === Sort the blocks by their names
   bool has_surface = false;
   vtkDataObject* surface = nullptr;
@@ -262,7 +269,6 @@ Face convert_trimmed_face(vtkMultiBlockDataSet* blocks, std::string& name)
     }
     face.loops.push_back(convert_loop(loops[i].second, kLoop + std::to_string(i)));
   }
-  trim(face);
   return face;
 }
 

@@ -4,6 +4,7 @@
 #include "peer.h"
 #include "timing.h"
 
+#include <array>
 #include <ostream>
 
 namespace inversion_benchmark
@@ -161,6 +162,23 @@ std::string batch_program(const Records& records)
   return programs.size() > 1 && is_ours(programs[1]) ? programs[1] : "";
 }
 
+void print_builds(std::ostream& out, const Records& records)
+{
+  std::array<double, 2> times{ { NAN, NAN } };
+  for (const Record& r : records)
+  {
+    if (r.part == "build")
+    {
+      times[r.scale == 1 ? 0 : 1] = r.build;
+    }
+  }
+  if (std::isfinite(times[1]))
+  {
+    fact(out, "200 × 200 net, built by one thread / by two: wall time in ms",
+      number(times[0]) + " / " + number(times[1]));
+  }
+}
+
 void print_own_times(std::ostream& out, const Records& records, const std::string& ours)
 {
   limits(out, "40 × 40 bicubic, one query at a time: on / near / off / far", { .25, .40, .75, .40 },
@@ -183,6 +201,7 @@ void print_own_times(std::ostream& out, const Records& records, const std::strin
   limits(out,
     "200 × 200 net against 40 × 40, points in blocks 0 … 1 piece off: time a point; built in ms",
     { 1.3, 50 }, { large.microseconds / small.microseconds, large.build });
+  print_builds(out, records);
   limits(
     out, "curve of 200 control points, mean", { .20 }, { mean_time(records, "curve200", ours) });
   limits(out, "within 1e-9 × size of a centre: mean, slowest; 1e6 × size away: mean",

@@ -12,7 +12,7 @@ namespace inversion_benchmark
 /// One line of the results.
 struct Record
 {
-  std::string part; ///< comparison, filter, net, pieces, points, threads or vectors
+  std::string part; ///< build, comparison, filter, net, pieces, points, threads or vectors
   std::string shape;
   std::string query;
   std::string program;

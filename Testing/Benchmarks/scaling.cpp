@@ -2,11 +2,16 @@
 #include "scaling.h"
 
 #include "timing.h"
+#include "two_threads.h"
+
+#include "footpoint/model/point_inversion.h"
 
 #ifdef BENCHMARK_VTK
 #include "filter_timing.h"
 #endif
 
+#include <array>
+#include <memory>
 #include <ostream>
 #include <thread>
 
@@ -23,6 +28,8 @@ constexpr double kSlowest = 5e4; // µs
 
 /// The fastest counts: a virtual machine may have to find the memory for the first.
 constexpr int kBuilds = 2;
+/// Times the repeats: what takes a tenth of a second varies more.
+constexpr int kBuildsOfThreads = 3;
 
 /// Offset of the points of the larger sheets, in sizes of a piece.
 constexpr double kOffset = 0.5;
@@ -74,7 +81,7 @@ void measure_large_net(const Settings& settings, std::ostream& progress, Records
     for (const int n : { 40, 200 })
     {
       const Shape sheet = bumpy_sheet(n);
-      const std::unique_ptr<Peer> ours = make_footpoint();
+      std::unique_ptr<Peer> ours = make_footpoint();
       Record record;
       record.part = "net";
       record.shape = sheet.name;
@@ -83,6 +90,7 @@ void measure_large_net(const Settings& settings, std::ostream& progress, Records
       std::vector<double> builds;
       for (int repeat = 0; repeat < settings.repeats; ++repeat)
       {
+        ours = make_footpoint(); // freeing what was built before takes time too
         builds.push_back(1e3 * cpu_seconds([&] { ours->build(sheet); }));
       }
       record.build = median(builds);
@@ -90,6 +98,36 @@ void measure_large_net(const Settings& settings, std::ostream& progress, Records
         *ours, ordered_queries(sheet, offset / (n - 3), settings.points), settings, record);
       records.push_back(record);
     }
+  }
+}
+
+/// Wall time of building the larger net by one thread and by two, by turns.
+void measure_builds(const Settings& settings, std::ostream& progress, Records& records)
+{
+  progress << "build" << std::endl;
+  const Shape sheet = bumpy_sheet(200);
+  const footpoint::Model model = model_of(sheet);
+  const std::array<footpoint::Execution, 2> executions{ { {}, on_two_threads() } };
+  std::array<std::vector<double>, 2> builds;
+  for (int repeat = 0; repeat < kBuildsOfThreads * settings.repeats; ++repeat)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      std::unique_ptr<footpoint::PointInverter> built;
+      builds[k].push_back(1e3 * seconds([&]
+        { built = std::make_unique<footpoint::PointInverter>(
+            model, footpoint::InversionOptions{}, executions[k]); }));
+    }
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    Record record;
+    record.part = "build";
+    record.shape = sheet.name;
+    record.program = make_footpoint()->name();
+    record.scale = static_cast<double>(k + 1);
+    record.build = median(builds[k]);
+    records.push_back(record);
   }
 }
 
@@ -217,6 +255,7 @@ Records measure_scaling(const Settings& settings, std::ostream& progress)
   measure_filter(settings, progress, records);
 #endif
   measure_large_net(settings, progress, records);
+  measure_builds(settings, progress, records);
   measure_pieces(settings, progress, records);
   return records;
 }

@@ -6,6 +6,8 @@
 ///   of_zeros  time for the zeros (one thread) / time for the patch
 ///   speedup   time on one thread / time on two
 
+#include "two_threads.h"
+
 #include "footpoint/grids/boundary.h"
 #include "footpoint/grids/transfinite_kernel.h"
 
@@ -18,7 +20,6 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <thread>
 #include <vector>
 
 namespace
@@ -60,18 +61,6 @@ std::array<footpoint::Points, 4> wavy_sides()
     }
   }
   return sides;
-}
-
-Execution on_two_threads()
-{
-  Execution execution;
-  execution.parallel_for = [](std::int64_t count, const auto& body)
-  {
-    std::thread other([&] { body(0, count / 2); });
-    body(count / 2, count);
-    other.join();
-  };
-  return execution;
 }
 
 using Work = std::function<void(double* output)>;
@@ -125,7 +114,7 @@ void one_thread(benchmark::State& state, OutputMemory memory)
 
 void two_threads(benchmark::State& state, OutputMemory memory)
 {
-  compare(state, memory, patch(memory, on_two_threads()), patch(memory, {}), "speedup");
+  compare(state, memory, patch(memory, inversion_benchmark::on_two_threads()), patch(memory, {}), "speedup");
 }
 
 BENCHMARK_CAPTURE(one_thread, fresh, OutputMemory::Fresh)

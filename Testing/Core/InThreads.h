@@ -3,8 +3,24 @@
 
 #include "footpoint/common/execution.h"
 
+#include <algorithm>
 #include <thread>
 #include <vector>
+
+/// Work on the calling thread, backwards in ranges of seven.
+inline footpoint::Execution in_small_ranges()
+{
+  footpoint::Execution execution;
+  execution.parallel_for =
+    [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
+  {
+    for (std::int64_t end = count; end > 0; end -= std::min<std::int64_t>(end, 7))
+    {
+      body(std::max<std::int64_t>(end - 7, 0), end);
+    }
+  };
+  return execution;
+}
 
 /// Work shared out evenly among so many threads.
 inline footpoint::Execution in_threads(int threads)

@@ -17,21 +17,6 @@ using footpoint::Points;
 using footpoint::Search;
 using footpoint::Start;
 
-namespace
-{
-
-/// Backwards, in ranges of seven.
-void in_small_ranges(
-  std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
-{
-  for (std::int64_t end = count; end > 0; end -= std::min<std::int64_t>(end, 7))
-  {
-    body(std::max<std::int64_t>(end - 7, 0), end);
-  }
-}
-
-} // namespace
-
 TEST(Batch, SameBitsForAnySplitAndOrder)
 {
   const PointInverter inverter(model_of(shapes::bumpy(12, 5, 0.3), shapes::torus(0.5, 0.2)));
@@ -42,8 +27,7 @@ TEST(Batch, SameBitsForAnySplitAndOrder)
   points.col(19) = points.col(20);
   points.col(21) = Vector3(1e300, -1e300, 0);
   const InversionResult whole = footpoint::invert(inverter, points);
-  Execution pieces;
-  pieces.parallel_for = in_small_ranges;
+  const Execution pieces = in_small_ranges();
   const InversionResult split = footpoint::invert(inverter, points, {}, pieces);
   const InversionResult reversed = footpoint::invert(inverter, points.rowwise().reverse());
   const InversionResult part = footpoint::invert(inverter, points.middleCols(100, 777));
@@ -105,8 +89,7 @@ TEST(Batch, StartsAndAllFeetKeepToTheirPoints)
 {
   const PointInverter inverter(model_of(shapes::saddle()), all_feet());
   const Points points = random_points(300, 12, -1, 1);
-  Execution pieces;
-  pieces.parallel_for = in_small_ranges;
+  const Execution pieces = in_small_ranges();
   const InversionResult result = footpoint::invert(inverter, points, {}, pieces);
   std::size_t at = 0;
   for (int k = 0; k < 300; ++k)

@@ -24,4 +24,14 @@ struct Execution
   std::function<bool(double fraction)> proceed = [](double) { return true; };
 };
 
+/// Calls `body(begin, end)` for disjoint ranges that cover [0, count): where there are `fewest` items at
+/// least by parallel_for, else, as starting threads would take longer, one range on the calling thread.
+void for_ranges(const Execution& execution, std::int64_t count, std::int64_t fewest,
+  const std::function<void(std::int64_t begin, std::int64_t end)>& body);
+
+/// Calls `visit(k)` for each k of [0, count), in the same way. If some of them throw, the others are visited
+/// all the same and the exception of the least k comes out, so that errors do not depend on threads.
+void for_each_index(const Execution& execution, std::int64_t count, std::int64_t fewest,
+  const std::function<void(std::int64_t k)>& visit);
+
 } // namespace footpoint

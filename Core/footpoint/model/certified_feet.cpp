@@ -38,7 +38,8 @@ double extraction_error(int degrees)
 
 } // namespace
 
-CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size)
+CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size,
+  const Execution& execution)
   : Members(std::move(members))
   , TakesPart(this->Members.size(), false)
   , Centre(centre)
@@ -67,7 +68,7 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     else if (const auto* surface = dynamic_cast<const Surface*>(member.patch->surface.get()))
     {
       forms.add(index, *surface, surface->centre() - centre, member.shared.shared,
-        member.region);
+        member.region, execution);
       degrees = std::max(degrees, surface->knots(0).degree() + surface->knots(1).degree());
       this->TakesPart[k] = true;
     }
@@ -80,7 +81,7 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
   const double wanted = static_cast<double>(kStarts * patches) /
     static_cast<double>(std::max<std::size_t>(forms.pieces().size(), 1));
   this->Parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(wanted))), 1, kMostParts);
-  this->Search = CertifiedSearch(std::move(forms));
+  this->Search = CertifiedSearch(std::move(forms), execution);
 }
 
 void CertifiedFeet::find(const Vector3& point, double limit, double tolerance,

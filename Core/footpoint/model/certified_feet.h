@@ -30,7 +30,9 @@ public:
   /// \param members the patches that are splines take part; the others are passed over
   /// \param centre  of the model; queries are measured from there
   /// \param size    of the model
-  CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size);
+  /// \param execution what is to be built is shared out to
+  CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size,
+    const Execution& execution = {});
 
   /// Whether every patch takes part.
   bool complete() const { return this->Complete; }

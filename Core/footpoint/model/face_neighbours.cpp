@@ -106,20 +106,25 @@ std::int64_t number_of_open_sides(const Model& model)
   return count;
 }
 
-FaceNeighbours::FaceNeighbours(const Model& model, double size)
+FaceNeighbours::FaceNeighbours(const Model& model, double size, const Execution& execution)
   : Sewing(kSewing * size)
   , FirstReach(kFirstReach * size)
 {
-  this->add_rims(model);
+  this->add_rims(model, execution);
   this->LargestTolerance = this->Tolerances.empty()
     ? this->Sewing
     : *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
-  this->add_parts(size);
-  this->add_vertices();
-  for (std::size_t k = 0; k < this->Rims.size(); ++k)
-  {
-    this->OpenEdges += this->is_open(k);
-  }
+  this->add_parts(size, execution);
+  this->add_vertices(execution);
+  this->count_open_edges(execution);
+}
+
+void FaceNeighbours::count_open_edges(const Execution& execution)
+{
+  std::vector<char> open(this->Rims.size());
+  for_each_index(execution, static_cast<std::int64_t>(open.size()), kFacesForThreads,
+    [&](std::int64_t k) { open[k] = this->is_open(k) ? 1 : 0; });
+  this->OpenEdges = std::count(open.begin(), open.end(), 1);
 }
 
 /// Whether no other rim passes the middle of one of its parts between corners, of which a few are
@@ -145,18 +150,20 @@ bool FaceNeighbours::is_open(std::size_t k) const
   return false;
 }
 
-void FaceNeighbours::add_parts(double size)
+void FaceNeighbours::add_parts(double size, const Execution& execution)
 {
-  std::vector<std::array<Vector3, 2>> boxes;
+  std::vector<EdgePieces> pieces(this->Rims.size());
+  for_each_index(execution, static_cast<std::int64_t>(pieces.size()), kFacesForThreads,
+    [&](std::int64_t k) { pieces[k] = edge_pieces(*this->Rims[k].curve, kRimTolerance * size); });
+  AlignedVector<Corners> boxes;
   for (std::size_t k = 0; k < this->Rims.size(); ++k)
   {
     const Rim& rim = this->Rims[k];
     this->Centre = k == 0 ? rim.curve->centre() : this->Centre;
-    const EdgePieces pieces = edge_pieces(*rim.curve, kRimTolerance * size);
-    const Vector3 around = Vector3::Constant(pieces.error);
-    for (const BezierPiece<1>& piece : pieces.pieces)
+    const Vector3 around = Vector3::Constant(pieces[k].error);
+    for (const BezierPiece<1>& piece : pieces[k].pieces)
     {
-      const std::array<Vector3, 2> box = bounding_box<1>(piece);
+      const Corners box = bounding_box<1>(piece);
       const Vector3 shift = rim.curve->centre() - this->Centre;
       boxes.push_back({ { box[0] + shift - around, box[1] + shift + around } });
       const auto last = piece.control.cols() - 1;
@@ -165,14 +172,14 @@ void FaceNeighbours::add_parts(double size)
         piece.control.col(last).head<3>() / piece.control(3, last), piece.degree[0] == 1 });
     }
   }
-  this->Tree = BoxTree(boxes);
+  this->Tree = BoxTree(boxes, execution);
 }
 
 /// The ends of all rims, those that are one by their files' digits once.
-void FaceNeighbours::add_vertices()
+void FaceNeighbours::add_vertices(const Execution& execution)
 {
   std::vector<Vector3> points;
-  std::vector<std::array<Vector3, 2>> boxes;
+  AlignedVector<Corners> boxes;
   for (const Rim& rim : this->Rims)
   {
     for (const double t : { 0.0, rim.curve->direction(0).length })
@@ -181,8 +188,9 @@ void FaceNeighbours::add_vertices()
       boxes.push_back({ { points.back() - this->Centre, points.back() - this->Centre } });
     }
   }
-  const BoxTree ends(boxes);
+  const BoxTree ends(boxes, execution);
   std::vector<bool> done(points.size(), false);
+  std::vector<int> faces;
   boxes.clear();
   for (std::size_t k = 0; k < points.size(); ++k)
   {
@@ -190,44 +198,59 @@ void FaceNeighbours::add_vertices()
     {
       continue;
     }
-    visit_near_boxes(
-      ends, points[k] - this->Centre, [this] { return this->Sewing; },
-      [&](std::int32_t index) { done[index] = true; });
-    this->Vertices.push_back(
-      { points[k], this->weighted_normals(this->meeting(points[k], this->Rims[k / 2].face)) });
     const Vector3 at = points[k] - this->Centre;
+    visit_near_boxes(
+      ends, at, [this] { return this->Sewing; },
+      [&](std::int32_t index) { done[index] = true; });
+    this->Vertices.push_back({ points[k], Vector3::Zero() });
+    faces.push_back(this->Rims[k / 2].face);
     boxes.push_back({ { at, at } });
   }
-  this->VertexTree = BoxTree(boxes);
+  for_each_index(execution, static_cast<std::int64_t>(faces.size()), kFacesForThreads,
+    [&](std::int64_t k)
+    {
+      Vertex& vertex = this->Vertices[k];
+      vertex.pseudonormal = this->weighted_normals(this->meeting(vertex.point, faces[k]));
+    });
+  this->VertexTree = BoxTree(boxes, execution);
 }
 
-void FaceNeighbours::add_rims(const Model& model)
+void FaceNeighbours::add_rims(const Model& model, const Execution& execution)
 {
-  for (std::size_t f = 0; f < model.size(); ++f)
+  std::vector<std::vector<Rim>> rims(model.size());
+  for (const Face& face : model)
   {
-    const Face& face = model[f];
     this->Reversed.push_back(face.reversed);
     this->Tolerances.push_back(std::max(face.tolerance, this->Sewing));
-    const std::vector<SharedBorders> shared = find_shared_borders(face);
-    for (std::size_t i = 0; i < face.patches.size(); ++i)
+  }
+  for_each_index(execution, static_cast<std::int64_t>(model.size()), kFacesForThreads,
+    [&](std::int64_t f)
     {
-      const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches[i].surface);
-      if (!surface)
+      const Face& face = model[f];
+      const std::vector<SharedBorders> shared = find_shared_borders(face);
+      for (std::size_t i = 0; i < face.patches.size(); ++i)
       {
-        continue;
-      }
-      const auto region = face.region
-        ? face.region
-        : std::make_shared<const TrimRegion>(
-            std::vector<TrimLoop>{ sides_of(*surface) }, *surface, 0.0);
-      for (const auto& edge : edge_curves(surface, *region, EdgeArcs::NoSeams))
-      {
-        if (face.region || !is_shared(shared[i], edge->arcs().front().curve))
+        const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches[i].surface);
+        if (!surface)
         {
-          this->Rims.push_back({ static_cast<int>(f), edge });
+          continue;
+        }
+        const auto region = face.region
+          ? face.region
+          : std::make_shared<const TrimRegion>(
+              std::vector<TrimLoop>{ sides_of(*surface) }, *surface, 0.0);
+        for (const auto& edge : edge_curves(surface, *region, EdgeArcs::NoSeams))
+        {
+          if (face.region || !is_shared(shared[i], edge->arcs().front().curve))
+          {
+            rims[f].push_back({ static_cast<int>(f), edge });
+          }
         }
       }
-    }
+    });
+  for (const std::vector<Rim>& of_face : rims)
+  {
+    this->Rims.insert(this->Rims.end(), of_face.begin(), of_face.end());
   }
 }
 

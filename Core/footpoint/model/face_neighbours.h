@@ -28,7 +28,8 @@ class FaceNeighbours
 {
 public:
   /// \param model outlives this \param size of the model
-  FaceNeighbours(const Model& model, double size);
+  /// \param execution what is to be built is shared out to
+  FaceNeighbours(const Model& model, double size, const Execution& execution);
 
   /// The weighted sum at a point on the border of a face; zero where no other border meets there.
   Vector3 pseudonormal(const Vector3& point, int face) const;
@@ -76,9 +77,10 @@ private:
     std::vector<Passage> passages;
   };
 
-  void add_rims(const Model& model);
-  void add_parts(double size);
-  void add_vertices();
+  void add_rims(const Model& model, const Execution& execution);
+  void add_parts(double size, const Execution& execution);
+  void add_vertices(const Execution& execution);
+  void count_open_edges(const Execution& execution);
   bool is_open(std::size_t rim) const;
   Meeting meeting(const Vector3& point, int face) const;
   Vector3 weighted_normals(const Meeting& meeting) const;

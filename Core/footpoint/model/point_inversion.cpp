@@ -27,8 +27,9 @@ PointInverter::Implementation::Implementation(
   }
 }
 
-PointInverter::PointInverter(Model model, const InversionOptions& options)
-  : Data(std::make_unique<Implementation>(prepare(std::move(model), options), options))
+PointInverter::PointInverter(
+  Model model, const InversionOptions& options, const Execution& execution)
+  : Data(std::make_unique<Implementation>(prepare(std::move(model), options, execution), options))
 {
 }
 
@@ -41,10 +42,11 @@ PointInverter::~PointInverter() = default;
 PointInverter::PointInverter(PointInverter&&) noexcept = default;
 PointInverter& PointInverter::operator=(PointInverter&&) noexcept = default;
 
-PointInverter PointInverter::with_options(const InversionOptions& options) const
+PointInverter PointInverter::with_options(
+  const InversionOptions& options, const Execution& execution) const
 {
   return PointInverter(
-    std::make_unique<Implementation>(prepare(this->Data->Prepared, options), options));
+    std::make_unique<Implementation>(prepare(this->Data->Prepared, options, execution), options));
 }
 
 bool PointInverter::is_prepared_for(const InversionOptions& options) const

@@ -75,8 +75,11 @@ public:
   class Workspace;
 
   /// \param model      kept alive by shared pointers
+  /// \param execution  what is to be built is shared out to where there is much of it; every foot has the same
+  ///                   bits. Its `proceed` is not asked
   /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
-  explicit PointInverter(Model model, const InversionOptions& options = {});
+  explicit PointInverter(
+    Model model, const InversionOptions& options = {}, const Execution& execution = {});
   ~PointInverter();
   PointInverter(PointInverter&&) noexcept;
   PointInverter& operator=(PointInverter&&) noexcept;
@@ -84,7 +87,8 @@ public:
   /// The same model for queries with other options. Cheap: what the model was built into is shared,
   /// and built anew only where it does not serve the options, see `is_prepared_for`.
   /// \throw std::invalid_argument as the constructor
-  PointInverter with_options(const InversionOptions& options) const;
+  PointInverter with_options(
+    const InversionOptions& options, const Execution& execution = {}) const;
   /// Whether queries with these options find everything built: the seed resolution has to be the
   /// same, and the Bézier pieces there where they need them (Search::Global).
   bool is_prepared_for(const InversionOptions& options) const;

@@ -70,7 +70,8 @@ PreparedParts PreparedParts::joined_with(const PreparedParts& others) const
   return result;
 }
 
-PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
+PreparedModel::PreparedModel(
+  Model model, const PreparedParts& parts, const Execution& execution)
   : Faces(std::move(model))
   , Parts(parts)
 {
@@ -81,29 +82,9 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   }
   SeedOptions seeding;
   seeding.resolution = parts.seed_resolution;
-  Box box;
-  for (std::size_t k = 0; k < this->Faces.size(); ++k)
-  {
-    Face& face = this->Faces[k];
-    if (!face.loops.empty() && !face.region)
-    {
-      trim(face);
-    }
-    const std::vector<SharedBorders> shared = find_shared_borders(face);
-    for (std::size_t i = 0; i < face.patches.size(); ++i)
-    {
-      const Patch& patch = face.patches[i];
-      PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], face.region.get(), nullptr,
-        nullptr };
-      prepared.search = patch.curve
-        ? make_patch_search<1>(patch.curve, SolverOptions{}, seeding)
-        : make_patch_search<2>(patch.surface, SolverOptions{}, seeding);
-      box.add(prepared.search->box());
-      this->Patches.push_back(std::move(prepared));
-    }
-  }
+  const Box box = this->add_faces(seeding, execution);
   this->Size = (box.upper - box.lower).stableNorm();
-  const std::vector<EdgePieces> edge_pieces = this->add_edges(seeding);
+  const std::vector<EdgePieces> edge_pieces = this->add_edges(seeding, execution);
   std::vector<CertifiedFeet::Member> members;
   for (std::size_t k = 0; k < this->Patches.size(); ++k)
   {
@@ -114,42 +95,98 @@ PreparedModel::PreparedModel(Model model, const PreparedParts& parts)
   this->AtPoles = PoleNormals(this->Faces);
   if (has_neighbours(this->Faces))
   {
-    this->Neighbours.emplace(this->Faces, this->Size);
+    this->Neighbours.emplace(this->Faces, this->Size, execution);
   }
   if (parts.pieces)
   {
     const Patch& first = *this->Patches.front().patch;
     const Vector3 own = first.curve ? first.curve->centre() : first.surface->centre();
     const Vector3 middle = box.lower + 0.5 * (box.upper - box.lower);
-    this->Certified.emplace(std::move(members), count == 1 ? own : middle, this->Size);
+    this->Certified.emplace(
+      std::move(members), count == 1 ? own : middle, this->Size, execution);
   }
 }
 
-/// Adds the edges of all trimmed faces behind the patches; returns their pieces in the same order.
-std::vector<EdgePieces> PreparedModel::add_edges(const SeedOptions& seeding)
+/// Adds the patches of all faces; returns the box around them.
+Box PreparedModel::add_faces(const SeedOptions& seeding, const Execution& execution)
 {
-  std::vector<EdgePieces> result;
-  for (std::size_t k = 0; k < this->Faces.size(); ++k)
-  {
-    const Face& face = this->Faces[k];
-    if (!face.region || face.patches.empty())
+  std::vector<std::vector<PreparedPatch>> patches(this->Faces.size());
+  for_each_index(execution, static_cast<std::int64_t>(this->Faces.size()), kFacesForThreads,
+    [&](std::int64_t k)
     {
-      continue;
-    }
-    const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches.front().surface);
-    for (const std::shared_ptr<const EdgeCurve>& edge : 
-           edge_curves(surface, *face.region, EdgeArcs::InsideDomain))
-    {
-      result.push_back(edge_pieces(*edge, kEdgeTolerance * this->Size));
-      Box box;
-      for (const BezierPiece<1>& piece : result.back().pieces)
+      Face& face = this->Faces[k];
+      if (!face.loops.empty() && !face.region)
       {
-        const std::array<Vector3, 2> corners = bounding_box<1>(piece);
-        box.add({ corners[0], corners[1] });
+        trim(face);
       }
-      this->Edges.push_back(std::make_unique<const Patch>(Patch{ edge, nullptr }));
-      this->Patches.push_back({ this->Edges.back().get(), static_cast<int>(k), {}, nullptr,
-        edge.get(), make_patch_search<1>(edge, SolverOptions{}, seeding, box) });
+      const std::vector<SharedBorders> shared = find_shared_borders(face);
+      for (std::size_t i = 0; i < face.patches.size(); ++i)
+      {
+        const Patch& patch = face.patches[i];
+        PreparedPatch prepared{ &patch, static_cast<int>(k), shared[i], face.region.get(),
+          nullptr, nullptr };
+        prepared.search = patch.curve
+          ? make_patch_search<1>(patch.curve, SolverOptions{}, seeding)
+          : make_patch_search<2>(patch.surface, SolverOptions{}, seeding);
+        patches[k].push_back(std::move(prepared));
+      }
+    });
+  Box box;
+  for (std::vector<PreparedPatch>& of_face : patches)
+  {
+    for (PreparedPatch& patch : of_face)
+    {
+      box.add(patch.search->box());
+      this->Patches.push_back(std::move(patch));
+    }
+  }
+  return box;
+}
+
+/// Adds the edges of all trimmed faces behind the patches; returns their pieces in the same order.
+std::vector<EdgePieces> PreparedModel::add_edges(
+  const SeedOptions& seeding, const Execution& execution)
+{
+  struct Edge
+  {
+    std::unique_ptr<const Patch> patch;
+    PreparedPatch prepared;
+    EdgePieces pieces;
+  };
+  std::vector<std::vector<Edge>> edges(this->Faces.size());
+  for_each_index(execution, static_cast<std::int64_t>(this->Faces.size()), kFacesForThreads,
+    [&](std::int64_t k)
+    {
+      const Face& face = this->Faces[k];
+      if (!face.region || face.patches.empty())
+      {
+        return;
+      }
+      const auto surface = std::dynamic_pointer_cast<const Surface>(face.patches.front().surface);
+      for (const std::shared_ptr<const EdgeCurve>& edge :
+        edge_curves(surface, *face.region, EdgeArcs::InsideDomain))
+      {
+        EdgePieces pieces = edge_pieces(*edge, kEdgeTolerance * this->Size);
+        Box box;
+        for (const BezierPiece<1>& piece : pieces.pieces)
+        {
+          const std::array<Vector3, 2> corners = bounding_box<1>(piece);
+          box.add({ corners[0], corners[1] });
+        }
+        auto patch = std::make_unique<const Patch>(Patch{ edge, nullptr });
+        PreparedPatch prepared{ patch.get(), static_cast<int>(k), {}, nullptr, edge.get(),
+          make_patch_search<1>(edge, SolverOptions{}, seeding, box) };
+        edges[k].push_back({ std::move(patch), std::move(prepared), std::move(pieces) });
+      }
+    });
+  std::vector<EdgePieces> result;
+  for (std::vector<Edge>& of_face : edges)
+  {
+    for (Edge& edge : of_face)
+    {
+      this->Edges.push_back(std::move(edge.patch));
+      this->Patches.push_back(std::move(edge.prepared));
+      result.push_back(std::move(edge.pieces));
     }
   }
   return result;
@@ -167,14 +204,17 @@ std::vector<PreparedPatch> PreparedModel::patches(const InversionOptions& option
   return result;
 }
 
-std::shared_ptr<const PreparedModel> prepare(Model model, const InversionOptions& options)
+std::shared_ptr<const PreparedModel> prepare(
+  Model model, const InversionOptions& options, const Execution& execution)
 {
   check_method(model, options.solver.method);
-  return std::make_shared<const PreparedModel>(std::move(model), PreparedParts(options));
+  return std::make_shared<const PreparedModel>(
+    std::move(model), PreparedParts(options), execution);
 }
 
 std::shared_ptr<const PreparedModel> prepare(
-  const std::shared_ptr<const PreparedModel>& prepared, const InversionOptions& options)
+  const std::shared_ptr<const PreparedModel>& prepared, const InversionOptions& options,
+  const Execution& execution)
 {
   check_method(prepared->model(), options.solver.method);
   const PreparedParts wanted(options);
@@ -183,7 +223,7 @@ std::shared_ptr<const PreparedModel> prepare(
     return prepared;
   }
   return std::make_shared<const PreparedModel>(
-    prepared->model(), prepared->parts().joined_with(wanted));
+    prepared->model(), prepared->parts().joined_with(wanted), execution);
 }
 
 } // namespace footpoint

@@ -45,7 +45,8 @@ struct PreparedParts
 class PreparedModel
 {
 public:
-  PreparedModel(Model model, const PreparedParts& parts);
+  /// \param execution what is to be built is shared out to
+  PreparedModel(Model model, const PreparedParts& parts, const Execution& execution);
   // Patches point into the model.
   PreparedModel(const PreparedModel&) = delete;
   PreparedModel& operator=(const PreparedModel&) = delete;
@@ -66,7 +67,8 @@ public:
   std::vector<PreparedPatch> patches(const InversionOptions& options) const;
 
 private:
-  std::vector<EdgePieces> add_edges(const SeedOptions& seeding);
+  Box add_faces(const SeedOptions& seeding, const Execution& execution);
+  std::vector<EdgePieces> add_edges(const SeedOptions& seeding, const Execution& execution);
 
   Model Faces;
   PreparedParts Parts;
@@ -80,12 +82,14 @@ private:
 
 /// Builds from the model what queries with the options ask for.
 /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
-std::shared_ptr<const PreparedModel> prepare(Model model, const InversionOptions& options);
+std::shared_ptr<const PreparedModel> prepare(
+  Model model, const InversionOptions& options, const Execution& execution);
 
 /// The same model for other options: itself where nothing is missing, else built anew with all that
 /// it had and what is missing.
 /// \throw std::invalid_argument as above
 std::shared_ptr<const PreparedModel> prepare(
-  const std::shared_ptr<const PreparedModel>& prepared, const InversionOptions& options);
+  const std::shared_ptr<const PreparedModel>& prepared, const InversionOptions& options,
+  const Execution& execution);
 
 } // namespace footpoint

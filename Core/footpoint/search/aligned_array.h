@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace footpoint
@@ -17,7 +19,8 @@ void* allocate_aligned(std::size_t bytes);
 /// \param bytes with which it was allocated
 void free_aligned(void* memory, std::size_t bytes);
 
-/// Takes such memory for a container.
+/// Takes such memory for a container, and leaves numbers that it is not given unset: they are set on several
+/// threads later.
 template <class T>
 struct AlignedAllocator
 {
@@ -31,6 +34,17 @@ struct AlignedAllocator
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_aligned(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t count) { free_aligned(memory, count * sizeof(T)); }
+
+  template <class U>
+  void construct(U* at)
+  {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
 
   friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
   friend bool operator!=(const AlignedAllocator&, const AlignedAllocator&) { return false; }

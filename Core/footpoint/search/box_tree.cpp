@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace footpoint
 {
 namespace
 {
-
-using Corners = std::array<Vector3, 2>;
 
 /// The largest number in single precision that is not above a number.
 float rounded_down(double value)
@@ -20,13 +19,15 @@ float rounded_down(double value)
                          : rounded;
 }
 
+/// Boxes, each some tenths of a microsecond of work, from which on they are shared out among threads.
+constexpr std::size_t kBoxesForThreads = 8192;
+
 /// Builds nodes over ranges of an order of boxes.
 class Builder
 {
 public:
-  Builder(const std::vector<Corners>& boxes, AlignedVector<BoxTree::Node>& nodes)
+  explicit Builder(const AlignedVector<Corners>& boxes)
     : Boxes(boxes)
-    , Nodes(nodes)
   {
     this->Order.reserve(boxes.size());
     for (const Corners& box : boxes)
@@ -36,13 +37,16 @@ public:
     }
   }
 
-  std::int32_t build(std::size_t begin, std::size_t end);
+  /// The whole tree: its children are built by themselves and put behind the root, as if one after the other.
+  AlignedVector<BoxTree::Node> build(const Execution& execution);
 
 private:
   struct Range
   {
     std::size_t begin;
     std::size_t end;
+
+    std::size_t size() const { return this->end - this->begin; }
   };
   /// A box, by its middle (twice); precise enough to put them into an order.
   struct Item
@@ -54,9 +58,14 @@ private:
   /// Two parts along the axis in which the middles of the boxes spread most, as even as they come in
   /// multiples of a number of boxes.
   std::array<Range, 2> split(Range range, std::size_t multiple);
+  /// What the children of a node hold.
+  std::vector<Range> children(Range range);
+  /// Adds a node, and those below it behind it.
+  std::int32_t add(Range range, AlignedVector<BoxTree::Node>& nodes);
+  std::int32_t add_empty(AlignedVector<BoxTree::Node>& nodes) const;
+  void set_child(BoxTree::Node& node, int k, Range range, std::int32_t child) const;
 
-  const std::vector<Corners>& Boxes;
-  AlignedVector<BoxTree::Node>& Nodes;
+  const AlignedVector<Corners>& Boxes;
   std::vector<Item> Order;
 };
 
@@ -84,71 +93,121 @@ std::array<Builder::Range, 2> Builder::split(Range range, std::size_t multiple)
   return { { { range.begin, half }, { half, range.end } } };
 }
 
-std::int32_t Builder::build(std::size_t begin, std::size_t end)
+std::vector<Builder::Range> Builder::children(Range range)
 {
-  // Children are full trees of as few levels as there can be, but for the last one: few nodes, full ones.
+  // Full trees of as few levels as there can be, but for the last one: few nodes, full ones.
   std::size_t full = 1;
-  while (full * BoxTree::kWidth < end - begin)
+  while (full * BoxTree::kWidth < range.size())
   {
     full *= BoxTree::kWidth;
   }
-  std::vector<Range> ranges{ { begin, end } };
+  std::vector<Range> ranges{ range };
   for (int parts = 1; parts < BoxTree::kWidth; parts *= 2)
   {
     std::vector<Range> next;
-    for (const Range& range : ranges)
+    for (const Range& each : ranges)
     {
-      if (range.end - range.begin <= full)
+      if (each.size() <= full)
       {
-        next.push_back(range);
+        next.push_back(each);
         continue;
       }
-      for (const Range& half : this->split(range, full))
+      for (const Range& half : this->split(each, full))
       {
         next.push_back(half);
       }
     }
     ranges = std::move(next);
   }
-  const auto index = static_cast<std::int32_t>(this->Nodes.size());
-  this->Nodes.emplace_back();
-  for (int k = 0; k < BoxTree::kWidth; ++k)
+  return ranges;
+}
+
+std::int32_t Builder::add_empty(AlignedVector<BoxTree::Node>& nodes) const
+{
+  constexpr float kNowhere = std::numeric_limits<float>::infinity();
+  const auto index = static_cast<std::int32_t>(nodes.size());
+  nodes.emplace_back();
+  BoxTree::Node& node = nodes.back();
+  std::fill_n(node.lower[0], 3 * BoxTree::kWidth, kNowhere);
+  std::fill_n(node.upper[0], 3 * BoxTree::kWidth, kNowhere);
+  std::fill_n(node.child, BoxTree::kWidth, 0);
+  node.present = 0;
+  return index;
+}
+
+void Builder::set_child(BoxTree::Node& node, int k, Range range, std::int32_t child) const
+{
+  Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 upper = -lower;
+  for (std::size_t i = range.begin; i < range.end; ++i)
   {
-    Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
-    Vector3 upper = lower;
-    std::int32_t child = 0;
-    if (k < static_cast<int>(ranges.size()))
-    {
-      const Range& range = ranges[k];
-      upper = -lower;
-      for (std::size_t i = range.begin; i < range.end; ++i)
-      {
-        lower = lower.cwiseMin(this->Boxes[this->Order[i].box][0]);
-        upper = upper.cwiseMax(this->Boxes[this->Order[i].box][1]);
-      }
-      child = range.end - range.begin == 1 ? -1 - this->Order[range.begin].box
-                                           : this->build(range.begin, range.end);
-    }
-    BoxTree::Node& node = this->Nodes[index];
-    for (int i = 0; i < 3; ++i)
-    {
-      node.lower[i][k] = rounded_down(lower(i));
-      node.upper[i][k] = -rounded_down(-upper(i));
-    }
-    node.child[k] = child;
-    node.present |= child != 0 ? 1U << k : 0U;
+    lower = lower.cwiseMin(this->Boxes[this->Order[i].box][0]);
+    upper = upper.cwiseMax(this->Boxes[this->Order[i].box][1]);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    node.lower[i][k] = rounded_down(lower(i));
+    node.upper[i][k] = -rounded_down(-upper(i));
+  }
+  node.child[k] = range.size() == 1 ? -1 - this->Order[range.begin].box : child;
+  node.present |= 1U << k;
+}
+
+std::int32_t Builder::add(Range range, AlignedVector<BoxTree::Node>& nodes)
+{
+  const std::vector<Range> ranges = this->children(range);
+  const std::int32_t index = this->add_empty(nodes);
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+  {
+    const std::int32_t child = ranges[k].size() == 1 ? 0 : this->add(ranges[k], nodes);
+    this->set_child(nodes[index], static_cast<int>(k), ranges[k], child);
   }
   return index;
 }
 
+AlignedVector<BoxTree::Node> Builder::build(const Execution& execution)
+{
+  const Range all{ 0, this->Order.size() };
+  const std::vector<Range> ranges = this->children(all);
+  const auto count = static_cast<std::int64_t>(ranges.size());
+  std::vector<AlignedVector<BoxTree::Node>> below(ranges.size());
+  AlignedVector<BoxTree::Node> nodes;
+  nodes.reserve(all.size() / 8 + 8);
+  this->add_empty(nodes);
+  BoxTree::Node root = nodes.front();
+  for_each_index(execution, count, all.size() < kBoxesForThreads ? count + 1 : 0,
+    [&](std::int64_t k)
+    {
+      if (ranges[k].size() > 1)
+      {
+        below[k].reserve(ranges[k].size() / 8 + 8);
+        this->add(ranges[k], below[k]);
+      }
+    });
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+  {
+    const auto first = static_cast<std::int32_t>(nodes.size());
+    this->set_child(root, static_cast<int>(k), ranges[k], first);
+    for (BoxTree::Node& node : below[k])
+    {
+      for (std::int32_t& child : node.child)
+      {
+        child += child > 0 ? first : 0;
+      }
+    }
+    nodes.insert(nodes.end(), below[k].begin(), below[k].end());
+  }
+  nodes.front() = root;
+  return nodes;
+}
+
 } // namespace
 
-BoxTree::BoxTree(const std::vector<Corners>& boxes)
+BoxTree::BoxTree(const AlignedVector<Corners>& boxes, const Execution& execution)
 {
   if (!boxes.empty())
   {
-    this->Nodes.reserve(boxes.size() / 8 + 8);
-    Builder(boxes, this->Nodes).build(0, boxes.size());
+    this->Nodes = Builder(boxes).build(execution);
   }
 }
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/common/types.h"
 #include "footpoint/search/aligned_array.h"
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace footpoint
 {
+
+/// The lower and the upper corner of a box.
+using Corners = std::array<Vector3, 2>;
 
 /// A hierarchy of axis-parallel boxes, sixteen children a node: a few vector operations ask all of
 /// them, and there are few levels, each of which waits for the one before. Corners are kept in single
@@ -28,8 +31,8 @@ public:
   };
 
   BoxTree() = default;
-  /// \param boxes lower and upper corners
-  explicit BoxTree(const std::vector<std::array<Vector3, 2>>& boxes);
+  /// \param execution what the boxes are shared out to if there are many
+  explicit BoxTree(const AlignedVector<Corners>& boxes, const Execution& execution = {});
 
   /// The first is the root; none where there are no boxes.
   const AlignedVector<Node>& nodes() const { return this->Nodes; }

@@ -121,8 +121,8 @@ HWY_EXPORT(find_nearest);
 HWY_EXPORT(find_all_nearest);
 }
 
-CertifiedSearch::CertifiedSearch(DistanceForms forms)
-  : Structure(std::move(forms))
+CertifiedSearch::CertifiedSearch(DistanceForms forms, const Execution& execution)
+  : Structure(std::move(forms), execution)
 {
 }
 

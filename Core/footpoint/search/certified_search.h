@@ -106,7 +106,8 @@ class CertifiedSearch
 {
 public:
   CertifiedSearch() = default;
-  explicit CertifiedSearch(DistanceForms forms);
+  /// \param execution what is to be built is shared out to
+  explicit CertifiedSearch(DistanceForms forms, const Execution& execution = {});
 
   bool empty() const { return this->number_of_pieces() == 0; }
   const Piece& piece(std::int32_t k) const { return this->forms().pieces()[k]; }

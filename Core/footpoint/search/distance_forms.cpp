@@ -144,10 +144,12 @@ struct KeptPieces
 {
   std::vector<BezierPiece<N>> all;
 
+  std::size_t size() const { return this->all.size(); }
+
   template <class Visit>
-  void for_each(const Visit& visit) const
+  void for_each(std::size_t begin, std::size_t end, const Visit& visit) const
   {
-    std::for_each(this->all.begin(), this->all.end(), visit);
+    std::for_each(this->all.data() + begin, this->all.data() + end, visit);
   }
 };
 
@@ -246,25 +248,33 @@ const PieceShape* DistanceForms::shape(int p, int q, bool rational)
 }
 
 template <int N, class Source>
-void DistanceForms::append(std::int32_t patch, const Source& source, std::size_t count,
+void DistanceForms::append(std::int32_t patch, const Source& source,
   const ParametricGeometry<N>& geometry, const PieceShape* shape, const Vector3& offset,
-  const std::array<std::array<bool, 2>, 2>& special)
+  const std::array<std::array<bool, 2>, 2>& special, const Execution& execution)
 {
+  const std::size_t count = source.size();
   const std::size_t forms = static_cast<std::size_t>(shape->number_of_forms) * shape->form_size;
   const std::size_t numbers_of_piece = shape->net_size + forms;
   this->Numbers.emplace_back(numbers_of_piece * count + 8); // loads may read beyond the end
-  double* numbers = this->Numbers.back().data();
+  double* const numbers = this->Numbers.back().data();
   std::fill(numbers + numbers_of_piece * count, numbers + this->Numbers.back().size(), 0.0);
-  const std::size_t needed = this->Pieces.size() + count;
+  const std::size_t before = this->Pieces.size();
+  const std::size_t needed = before + count;
   if (needed > this->Pieces.capacity())
   {
-    this->Pieces.reserve(std::max(needed, 2 * this->Pieces.size()));
-    this->Boxes.reserve(std::max(needed, 2 * this->Boxes.size()));
+    this->Pieces.reserve(std::max(needed, 2 * before));
+    this->Boxes.reserve(std::max(needed, 2 * before));
   }
-  FormProducts products(*shape);
-  Points points;
-  source.for_each(
-    [&](const BezierPiece<N>& bezier)
+  this->Pieces.resize(needed);
+  this->Boxes.resize(needed);
+  const auto fill = [&](std::size_t begin, std::size_t end)
+  {
+    FormProducts products(*shape);
+    Points points;
+    double* net = numbers + numbers_of_piece * begin;
+    Piece* next = this->Pieces.data() + before + begin;
+    Corners* box = this->Boxes.data() + before + begin;
+    const auto take = [&](const BezierPiece<N>& bezier)
     {
       points =
         bezier.control.template topRows<3>().array().rowwise() / bezier.control.row(3).array();
@@ -272,10 +282,8 @@ void DistanceForms::append(std::int32_t patch, const Source& source, std::size_t
       const Vector3 upper = points.rowwise().maxCoeff();
       const Vector3 origin =
         origin_of<N>(bezier.degree, points, 0.5 * (lower + upper), geometry.size());
-      double* net = numbers;
-      double* form = numbers + shape->net_size;
-      numbers += numbers_of_piece;
-      Piece piece;
+      double* const form = net + shape->net_size;
+      Piece& piece = *next++;
       piece.shape = shape;
       piece.patch = patch;
       piece.net = net;
@@ -299,21 +307,27 @@ void DistanceForms::append(std::int32_t patch, const Source& source, std::size_t
       piece.kept = { { 0.5, 0.5 } };
       piece.edge = false;
       piece.error = 0.0;
-      this->Pieces.push_back(piece);
-      this->Boxes.push_back({ { lower + offset, upper + offset } });
-    });
+      *box++ = { { lower + offset, upper + offset } };
+      net += numbers_of_piece;
+    };
+    source.for_each(begin, end, take);
+  };
+  for_ranges(execution, static_cast<std::int64_t>(count), kPiecesForThreads,
+    [&fill](std::int64_t begin, std::int64_t end)
+    { fill(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
 void DistanceForms::add(std::int32_t patch, const Curve& curve, const Vector3& offset,
   const std::array<std::array<bool, 2>, 2>& special)
 {
   const KeptPieces<1> pieces{ cut_pieces<1>(extract_bezier(curve), this->FewPieces) };
-  this->append<1>(patch, pieces, pieces.all.size(), curve,
+  this->append<1>(patch, pieces, curve,
     this->shape(0, curve.knots().degree(), curve.rational()), offset, special);
 }
 
 void DistanceForms::add(std::int32_t patch, const Surface& surface, const Vector3& offset,
-  const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region)
+  const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region,
+  const Execution& execution)
 {
   if (region)
   {
@@ -330,11 +344,11 @@ void DistanceForms::add(std::int32_t patch, const Surface& surface, const Vector
   }
   if (!cut)
   {
-    this->append<2>(patch, extracted, extracted.size(), surface, shape, offset, special);
+    this->append<2>(patch, extracted, surface, shape, offset, special, execution);
     return;
   }
   const KeptPieces<2> pieces{ cut_pieces<2>(extract_bezier(surface), this->FewPieces) };
-  this->append<2>(patch, pieces, pieces.all.size(), surface, shape, offset, special);
+  this->append<2>(patch, pieces, surface, shape, offset, special, execution);
 }
 
 void DistanceForms::add_trimmed(std::int32_t patch, const Surface& surface, const Vector3& offset,
@@ -342,8 +356,7 @@ void DistanceForms::add_trimmed(std::int32_t patch, const Surface& surface, cons
 {
   const KeptPieces<2> pieces{ kept_pieces(surface, region, this->FewPieces) };
   const std::size_t begin = this->Pieces.size();
-  this->append<2>(
-    patch, pieces, pieces.all.size(), surface, this->shape_of(surface), offset, special);
+  this->append<2>(patch, pieces, surface, this->shape_of(surface), offset, special);
   for (std::size_t k = begin; k < this->Pieces.size(); ++k)
   {
     Piece& piece = this->Pieces[k];
@@ -372,13 +385,14 @@ void DistanceForms::add(std::int32_t patch, const EdgeCurve& edge, const EdgePie
       { return piece.degree != first->degree || is_rational(piece) != rational; });
     const KeptPieces<1> alike{ { first, last } };
     const std::size_t begin = this->Pieces.size();
-    this->append<1>(patch, alike, alike.all.size(), edge, this->shape(0, first->degree[0], rational),
-      offset, { { { { false, false } }, { { false, false } } } });
+    this->append<1>(patch, alike, edge, this->shape(0, first->degree[0], rational), offset,
+      { { { { false, false } }, { { false, false } } } });
     const Vector3 around = Vector3::Constant(pieces.error);
     for (std::size_t k = begin; k < this->Pieces.size(); ++k)
     {
       this->Pieces[k].edge = true;
       this->Pieces[k].error = pieces.error;
+      this->GreatestError = std::max(this->GreatestError, pieces.error);
       this->Boxes[k][0] -= around;
       this->Boxes[k][1] += around;
     }

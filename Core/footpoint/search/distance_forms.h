@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/search/aligned_array.h"
+#include "footpoint/search/box_tree.h"
 #include "footpoint/splines/bezier.h"
 #include "footpoint/trims/edge_curve.h"
 
@@ -58,6 +60,9 @@ struct PieceShape
   PieceShape(int p, int q, bool is_rational);
 };
 
+/// Pieces, each some microseconds of work, from which on they are shared out among threads.
+constexpr std::int64_t kPiecesForThreads = 2048;
+
 /// One Bézier piece. Positions are relative to the piece's origin.
 struct Piece
 {
@@ -107,32 +112,38 @@ public:
   void add(std::int32_t patch, const Curve& curve, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special);
   /// \param region outlives the forms; what it does not keep is left out. Null: not trimmed.
+  /// \param execution what the pieces of a large one are shared out to
   void add(std::int32_t patch, const Surface& surface, const Vector3& offset,
-    const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region = nullptr);
+    const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region = nullptr,
+    const Execution& execution = {});
   void add(std::int32_t patch, const EdgeCurve& edge, const EdgePieces& pieces,
     const Vector3& offset);
 
   const AlignedVector<Piece>& pieces() const { return this->Pieces; }
 
+  /// The largest error of a piece.
+  double greatest_error() const { return this->GreatestError; }
+
   /// Corners of the box of a piece's control points, in the model's centred coordinates.
-  const std::vector<std::array<Vector3, 2>>& boxes() const { return this->Boxes; }
+  const AlignedVector<Corners>& boxes() const { return this->Boxes; }
 
 private:
   const PieceShape* shape(int p, int q, bool rational);
   const PieceShape* shape_of(const Surface& surface);
   void add_trimmed(std::int32_t patch, const Surface& surface, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special, const TrimRegion& region);
-  /// \param source whose for_each(visit) gives `count` Bézier pieces, one after the other
+  /// \param source of size() Bézier pieces, whose for_each(begin, end, visit) gives them one after the other
   template <int N, class Source>
-  void append(std::int32_t patch, const Source& source, std::size_t count,
-    const ParametricGeometry<N>& geometry, const PieceShape* shape, const Vector3& offset,
-    const std::array<std::array<bool, 2>, 2>& special);
+  void append(std::int32_t patch, const Source& source, const ParametricGeometry<N>& geometry,
+    const PieceShape* shape, const Vector3& offset,
+    const std::array<std::array<bool, 2>, 2>& special, const Execution& execution = {});
 
   std::size_t FewPieces;
   std::vector<std::unique_ptr<PieceShape>> Shapes;
   std::vector<AlignedArray<double>> Numbers;
   AlignedVector<Piece> Pieces;
-  std::vector<std::array<Vector3, 2>> Boxes;
+  AlignedVector<Corners> Boxes;
+  double GreatestError = 0.0;
 };
 
 } // namespace footpoint

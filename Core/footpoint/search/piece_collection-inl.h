@@ -200,7 +200,7 @@ void Finder::collect(std::int32_t index, double squared)
     return;
   }
   bound = std::max(bound, view.bound());
-  const double reach = this->reach() + this->Structure.greatest_error;
+  const double reach = this->reach() + this->Structure.forms.greatest_error();
   if (bound >= reach * reach * kOutward)
   {
     return;

@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <vector>
 
 namespace footpoint
 {
@@ -157,24 +159,16 @@ class BlockBuilder
   using Around = std::array<const PieceDerivatives*, kPlaces>;
 
 public:
-  /// \param reach the largest one of a piece
-  BlockBuilder(const AlignedVector<Piece>& pieces, double reach)
+  /// \param bounds of the derivatives of all pieces
+  BlockBuilder(const AlignedVector<Piece>& pieces, PieceDerivatives* bounds)
     : Pieces(pieces)
-    , Bounds(new PieceDerivatives[pieces.size()]) // millions of numbers, all of them set later
+    , Bounds(bounds)
   {
-    const int exponent = std::ilogb(reach);
-    this->Fits = std::abs(static_cast<double>(exponent)) <= kGreatestExponent;
-    this->Length = this->Fits ? std::ldexp(1.0, -exponent) : 1.0;
   }
 
-  /// Blocks of the pieces of one patch.
-  void build(std::int32_t begin, std::int32_t end, AlignedVector<PieceNeighbourhood>& result)
+  /// Bounds the derivatives of pieces of one patch.
+  void bound(const DerivativeUnits& units, std::int32_t begin, std::int32_t end)
   {
-    if (!this->Fits)
-    {
-      return;
-    }
-    const DerivativeUnits units{ this->Length, this->Pieces[begin].width };
     for (std::int32_t k = begin; k < end; ++k)
     {
       if (k + kAhead < end)
@@ -185,16 +179,9 @@ public:
       this->Bounds[k] = piece.shape->rational ? this->Rational.bounds(piece, units)
                                               : piece_derivatives(piece, units);
     }
-    for (std::int32_t k = begin; k < end; ++k)
-    {
-      if (!this->Pieces[k].edge)
-      {
-        this->settle(units, result[k]);
-      }
-    }
   }
 
-private:
+  /// Makes the block of a piece, which knows what is around it. \pre the derivatives of its patch are bounded
   void settle(const DerivativeUnits& units, PieceNeighbourhood& result)
   {
     Around around;
@@ -225,6 +212,7 @@ private:
     }
   }
 
+private:
   /// Makes a block of the pieces along which the way is long enough, of those at corners where both
   /// sides beside them are in it. \param mean derivatives
   void choose(const DerivativeUnits& units, const PieceDerivatives::Box& mean, const Around& around,
@@ -334,10 +322,8 @@ private:
   }
 
   const AlignedVector<Piece>& Pieces;
-  std::unique_ptr<PieceDerivatives[]> Bounds;
+  PieceDerivatives* Bounds;
   RationalDerivatives Rational;
-  double Length; ///< factor that makes the model's about 1
-  bool Fits;
 };
 
 /// Finds the pieces around each one of a patch.
@@ -376,32 +362,85 @@ void find_pieces(const AlignedVector<Piece>& pieces, std::int32_t begin, std::in
   }
 }
 
-} // namespace
-
-AlignedVector<PieceNeighbourhood> find_neighbourhoods(const AlignedVector<Piece>& pieces)
+/// Where the pieces of each patch begin, and where the last ones end.
+std::vector<std::int32_t> begins_of_patches(const AlignedVector<Piece>& pieces)
 {
-  PieceNeighbourhood alone{};
-  alone.pieces.fill(-1);
-  alone.limit = -1.0;
-  AlignedVector<PieceNeighbourhood> result(pieces.size(), alone);
-  const auto count = static_cast<std::int32_t>(pieces.size());
-  std::vector<std::int32_t> begins; // of patches
-  double reach = 0.0;
-  for (std::int32_t k = 0; k < count; ++k)
+  std::vector<std::int32_t> begins;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
   {
-    reach = std::max(reach, pieces[k].reach);
     if (k == 0 || pieces[k].patch != pieces[k - 1].patch)
     {
-      begins.push_back(k);
+      begins.push_back(static_cast<std::int32_t>(k));
     }
   }
-  begins.push_back(count);
-  BlockBuilder builder(pieces, reach);
-  for (std::size_t k = 0; k + 1 < begins.size(); ++k)
+  begins.push_back(static_cast<std::int32_t>(pieces.size()));
+  return begins;
+}
+
+} // namespace
+
+AlignedVector<PieceNeighbourhood> find_neighbourhoods(
+  const AlignedVector<Piece>& pieces, const Execution& execution)
+{
+  AlignedVector<PieceNeighbourhood> result(pieces.size());
+  const auto count = static_cast<std::int64_t>(pieces.size());
+  const std::vector<std::int32_t> begins = begins_of_patches(pieces);
+  const std::unique_ptr<PieceDerivatives[]> bounds(new PieceDerivatives[pieces.size()]); // set later
+  double length = 1.0;
+  // What each range has of each patch.
+  using Visit =
+    void(BlockBuilder&, const DerivativeUnits& units, std::int32_t begin, std::int32_t end);
+  const auto in_patches = [&](const std::function<Visit>& visit)
   {
-    find_pieces(pieces, begins[k], begins[k + 1], result);
-    builder.build(begins[k], begins[k + 1], result);
+    for_ranges(execution, count, kPiecesForThreads,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        BlockBuilder builder(pieces, bounds.get());
+        auto patch = std::upper_bound(begins.begin(), begins.end(), begin) - 1;
+        for (auto from = static_cast<std::int32_t>(begin); from < end; from = *++patch)
+        {
+          visit(builder, { length, pieces[*patch].width }, from,
+            std::min(patch[1], static_cast<std::int32_t>(end)));
+        }
+      });
+  };
+  const auto patches = static_cast<std::int64_t>(begins.size()) - 1;
+  for_ranges(execution, patches, count < kPiecesForThreads ? patches + 1 : 0,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      PieceNeighbourhood alone{};
+      alone.pieces.fill(-1);
+      alone.limit = -1.0;
+      for (std::int64_t k = begin; k < end; ++k)
+      {
+        std::fill(result.begin() + begins[k], result.begin() + begins[k + 1], alone);
+        find_pieces(pieces, begins[k], begins[k + 1], result);
+      }
+    });
+  double reach = 0.0;
+  for (const Piece& piece : pieces)
+  {
+    reach = std::max(reach, piece.reach);
   }
+  const int exponent = std::ilogb(reach);
+  if (std::abs(static_cast<double>(exponent)) > kGreatestExponent)
+  {
+    return result;
+  }
+  length = std::ldexp(1.0, -exponent); // makes the model's about 1
+  in_patches([](BlockBuilder& builder, const DerivativeUnits& units, std::int32_t begin,
+               std::int32_t end) { builder.bound(units, begin, end); });
+  in_patches(
+    [&](BlockBuilder& builder, const DerivativeUnits& units, std::int32_t begin, std::int32_t end)
+    {
+      for (std::int32_t k = begin; k < end; ++k)
+      {
+        if (!pieces[k].edge)
+        {
+          builder.settle(units, result[k]);
+        }
+      }
+    });
   return result;
 }
 

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace footpoint
 {
@@ -56,6 +55,8 @@ struct PieceNeighbourhood
 
 /// One for each piece. Models so large or so small that squares of their distances are beyond all
 /// bounds have no blocks, and neither have pieces whose derivatives vanish beside the model.
-AlignedVector<PieceNeighbourhood> find_neighbourhoods(const AlignedVector<Piece>& pieces);
+/// \param execution what the pieces are shared out to if there are many
+AlignedVector<PieceNeighbourhood> find_neighbourhoods(
+  const AlignedVector<Piece>& pieces, const Execution& execution = {});
 
 } // namespace footpoint

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 namespace footpoint
 {
@@ -102,43 +103,50 @@ bool write(
 
 } // namespace
 
-PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces)
+PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces, const Execution& execution)
   : Outlines(pieces.size())
 {
   std::size_t size = 0;
-  for (const Piece& piece : pieces)
-  {
-    size += fits(piece) ? size_of(*piece.shape) : 0;
-  }
-  this->Numbers = AlignedArray<float>(size);
-  float* numbers = this->Numbers.data();
-  // Models of many patches come back to the same few shapes.
-  std::map<const PieceShape*, ReducedSquares> squares;
+  std::vector<std::size_t> begins(pieces.size()); // of their numbers
   for (std::size_t k = 0; k < pieces.size(); ++k)
   {
-    const Piece& piece = pieces[k];
-    PieceOutline& outline = this->Outlines[k];
-    std::copy(piece.origin.begin(), piece.origin.end(), outline.origin);
-    outline.unit = 1.0;
-    outline.inverse_unit = 1.0;
-    outline.longest = 0.0F;
-    outline.greatest = 0.0F;
-    outline.numbers = nullptr;
-    outline.count = 0;
-    if (!fits(piece))
-    {
-      continue;
-    }
-    const PieceShape& shape = *piece.shape;
-    ReducedSquares& reduced = squares.try_emplace(&shape, shape).first->second;
-    outline.unit = std::ldexp(1.0, std::ilogb(piece.reach));
-    outline.inverse_unit = 1.0 / outline.unit;
-    outline.numbers = numbers;
-    outline.count = count_of(shape);
-    reduced.take(piece);
-    outline.count = write(shape, reduced, numbers, outline) ? outline.count : 0;
-    numbers += size_of(shape);
+    begins[k] = size;
+    size += fits(pieces[k]) ? size_of(*pieces[k].shape) : 0;
   }
+  this->Numbers = AlignedArray<float>(size);
+  const auto fill = [&](std::size_t begin, std::size_t end)
+  {
+    // Models of many patches come back to the same few shapes.
+    std::map<const PieceShape*, ReducedSquares> squares;
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const Piece& piece = pieces[k];
+      PieceOutline& outline = this->Outlines[k];
+      std::copy(piece.origin.begin(), piece.origin.end(), outline.origin);
+      outline.unit = 1.0;
+      outline.inverse_unit = 1.0;
+      outline.longest = 0.0F;
+      outline.greatest = 0.0F;
+      outline.numbers = nullptr;
+      outline.count = 0;
+      if (!fits(piece))
+      {
+        continue;
+      }
+      const PieceShape& shape = *piece.shape;
+      ReducedSquares& reduced = squares.try_emplace(&shape, shape).first->second;
+      float* const numbers = this->Numbers.data() + begins[k];
+      outline.unit = std::ldexp(1.0, std::ilogb(piece.reach));
+      outline.inverse_unit = 1.0 / outline.unit;
+      outline.numbers = numbers;
+      outline.count = count_of(shape);
+      reduced.take(piece);
+      outline.count = write(shape, reduced, numbers, outline) ? outline.count : 0;
+    }
+  };
+  for_ranges(execution, static_cast<std::int64_t>(pieces.size()), kPiecesForThreads,
+    [&fill](std::int64_t begin, std::int64_t end)
+    { fill(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
 } // namespace footpoint

@@ -47,7 +47,8 @@ class PieceOutlines
 {
 public:
   PieceOutlines() = default;
-  explicit PieceOutlines(const AlignedVector<Piece>& pieces);
+  /// \param execution what the pieces are shared out to if there are many
+  explicit PieceOutlines(const AlignedVector<Piece>& pieces, const Execution& execution = {});
 
   const PieceOutline& operator[](std::int32_t piece) const { return this->Outlines[piece]; }
 

@@ -175,7 +175,7 @@ bool Finder::next_candidate()
     std::sort(candidates.begin(), candidates.end(), nearer);
   }
   // Beyond this nothing is of interest, whatever the margin and the error of the piece.
-  const double reach = this->reach() + this->Structure.greatest_error;
+  const double reach = this->reach() + this->Structure.forms.greatest_error();
   const double far = bound_of_length(this->P) + this->Query.size;
   const double end = reach * reach + kMostMargin * far * far;
   while (this->Next < candidates.size())

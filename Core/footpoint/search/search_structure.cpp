@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace footpoint
 {
@@ -80,29 +81,40 @@ TangentPlane tangent_plane(const Piece& piece, const Middle& u, const Middle& v)
   return plane;
 }
 
+AlignedVector<TangentPlane> tangent_planes(
+  const AlignedVector<Piece>& pieces, const Execution& execution)
+{
+  AlignedVector<TangentPlane> planes(pieces.size());
+  for_ranges(execution, static_cast<std::int64_t>(pieces.size()), kPiecesForThreads,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      const PieceShape* shape = nullptr;
+      Middle u(0);
+      Middle v(0);
+      for (std::int64_t k = begin; k < end; ++k)
+      {
+        const Piece& piece = pieces[k];
+        if (piece.shape != shape)
+        {
+          shape = piece.shape;
+          u = Middle(shape->degree[0]);
+          v = Middle(shape->degree[1]);
+        }
+        planes[k] = tangent_plane(piece, u, v);
+      }
+    });
+  return planes;
+}
+
 } // namespace
 
-SearchStructure::SearchStructure(DistanceForms pieces)
+SearchStructure::SearchStructure(DistanceForms pieces, const Execution& execution)
   : forms(std::move(pieces))
-  , tree(this->forms.boxes())
-  , neighbourhoods(find_neighbourhoods(this->forms.pieces()))
+  , tree(this->forms.boxes(), execution)
+  , planes(tangent_planes(this->forms.pieces(), execution))
+  , neighbourhoods(find_neighbourhoods(this->forms.pieces(), execution))
+  , outlines(this->forms.pieces(), execution)
 {
-  this->planes.reserve(this->forms.pieces().size());
-  const PieceShape* shape = nullptr;
-  Middle u(0);
-  Middle v(0);
-  for (const Piece& piece : this->forms.pieces())
-  {
-    if (piece.shape != shape)
-    {
-      shape = piece.shape;
-      u = Middle(shape->degree[0]);
-      v = Middle(shape->degree[1]);
-    }
-    this->planes.push_back(tangent_plane(piece, u, v));
-    this->greatest_error = std::max(this->greatest_error, piece.error);
-  }
-  this->outlines = PieceOutlines(this->forms.pieces());
 }
 
 } // namespace footpoint

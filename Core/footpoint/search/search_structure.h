@@ -6,8 +6,6 @@
 #include "footpoint/search/piece_neighbourhood.h"
 #include "footpoint/search/piece_outline.h"
 
-#include <vector>
-
 namespace footpoint
 {
 
@@ -24,11 +22,11 @@ struct TangentPlane
 struct SearchStructure
 {
   SearchStructure() = default;
-  explicit SearchStructure(DistanceForms pieces);
+  /// \param execution what the pieces are shared out to if there are many
+  explicit SearchStructure(DistanceForms pieces, const Execution& execution = {});
 
   DistanceForms forms;
   BoxTree tree;
-  double greatest_error = 0.0; ///< of the pieces
   AlignedVector<TangentPlane> planes;
   AlignedVector<PieceNeighbourhood> neighbourhoods;
   PieceOutlines outlines;

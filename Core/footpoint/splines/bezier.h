@@ -56,9 +56,14 @@ public:
 
   std::size_t size() const { return this->Spans[0].size() * this->Spans[1].size(); }
 
-  /// Calls visit(const BezierPiece<2>&) for each piece; the next one overwrites it.
+  /// Calls visit(const BezierPiece<2>&) for each piece, or each of a range; the next one overwrites it.
   template <class Visit>
-  void for_each(const Visit& visit) const;
+  void for_each(const Visit& visit) const
+  {
+    this->for_each(0, this->size(), visit);
+  }
+  template <class Visit>
+  void for_each(std::size_t begin, std::size_t end, const Visit& visit) const;
 
 private:
   using Homogeneous = Eigen::Matrix<double, 4, Eigen::Dynamic>;
@@ -83,18 +88,20 @@ template <int N>
 std::array<Vector3, 2> bounding_box(const BezierPiece<N>& piece);
 
 template <class Visit>
-void SurfacePieces::for_each(const Visit& visit) const
+void SurfacePieces::for_each(std::size_t begin, std::size_t end, const Visit& visit) const
 {
   Homogeneous row;
   BezierPiece<2> piece;
-  for (const BezierSpan& v : this->Spans[1])
+  const std::size_t columns = this->Spans[0].size();
+  for (std::size_t k = begin; k < end; ++k)
   {
-    this->extract_row(v, row);
-    for (const BezierSpan& u : this->Spans[0])
+    const BezierSpan& v = this->Spans[1][k / columns];
+    if (k == begin || k % columns == 0)
     {
-      this->extract_piece(u, v, row, piece);
-      visit(static_cast<const BezierPiece<2>&>(piece));
+      this->extract_row(v, row);
     }
+    this->extract_piece(this->Spans[0][k % columns], v, row, piece);
+    visit(static_cast<const BezierPiece<2>&>(piece));
   }
 }
 
