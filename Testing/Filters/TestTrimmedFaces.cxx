@@ -241,6 +241,48 @@ void TestRefusedFaces()
   CheckRefused(face, "the block Surface is a curve");
 }
 
+/// Faces are trimmed by themselves, in any order: what is told of them keeps theirs.
+void TestManyFaces()
+{
+  constexpr int kFaces = 40;
+  const auto open = MakePolyline({ kCorners[0], kCorners[1], kCorners[2] });
+  vtkNew<vtkMultiBlockDataSet> model;
+  for (int k = 0; k < kFaces; ++k)
+  {
+    const auto face = MakeFace(k == 5 || k == 30 ? open : MakePolyline(kCorners));
+    AddNumbers(face->GetBlock(0)->GetFieldData(), "Tolerance", { k == 12 ? -1.0 : 1e-6 });
+    Append(model, face, ("panel " + std::to_string(k)).c_str());
+  }
+  footpoint::Execution backwards;
+  backwards.parallel_for =
+    [](std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)
+  {
+    for (std::int64_t k = count; k > 0; --k)
+    {
+      body(k - 1, k);
+    }
+  };
+  const ConvertedModel alone = convert_to_model(model, true);
+  const ConvertedModel shared = convert_to_model(model, true, backwards);
+  CHECK(alone.messages() == shared.messages());
+  const std::vector<std::string> messages = alone.messages();
+  CHECK(messages.size() == 3);
+  CHECK(Contains(messages[0], "Face 5 ('panel 5'): "));
+  CHECK(Contains(messages[1], "Face 12 ('panel 12'): Tolerance[0] = -1"));
+  CHECK(Contains(messages[2], "Face 30 ('panel 30'): "));
+  for (std::size_t k = 0; k < kFaces; ++k)
+  {
+    const bool refused = k == 5 || k == 12 || k == 30;
+    for (const ConvertedModel* converted : { &alone, &shared })
+    {
+      const footpoint::Face& face = converted->model[k];
+      CHECK(face.name == "panel " + std::to_string(k));
+      CHECK(face.patches.empty() == refused && face.loops.empty() == refused);
+      CHECK((face.region == nullptr) == refused && face.reversed == !refused);
+    }
+  }
+}
+
 void TestHash()
 {
   const auto hash = [](vtkDataObject* data)
@@ -291,6 +333,7 @@ int TestTrimmedFaces(int, char*[])
       TestAttributes();
       TestRefusedLoops();
       TestRefusedFaces();
+      TestManyFaces();
       TestHash();
       TestEvaluator();
     });

@@ -75,7 +75,7 @@ void break_open(footpoint::Face& face, double gap)
 
 } // namespace
 
-TEST(ParallelBuild, SheetsOfManyPiecesHaveTheSameFeet)
+TEST(BuildInThreads, SheetsOfManyPiecesHaveTheSameFeet)
 {
   const Model model =
     model_of(shapes::bumpy(60, 5, 0.3), shapes::torus(0.5, 0.2), shapes::bumpy(30, 7, 0.2));
@@ -83,7 +83,7 @@ TEST(ParallelBuild, SheetsOfManyPiecesHaveTheSameFeet)
   expect_the_same(model, random_points(400, 6, -0.5, 1.5));
 }
 
-TEST(ParallelBuild, ManyTrimmedFacesHaveTheSameFeetAndSigns)
+TEST(BuildInThreads, ManyTrimmedFacesHaveTheSameFeetAndSigns)
 {
   const Model model = many_faces();
   ASSERT_GT(static_cast<std::int64_t>(model.size()), footpoint::kFacesForThreads);
@@ -96,7 +96,7 @@ TEST(ParallelBuild, ManyTrimmedFacesHaveTheSameFeetAndSigns)
   expect_the_same(model, points);
 }
 
-TEST(ParallelBuild, OptionsThatAskForMoreAreBuiltTheSame)
+TEST(BuildInThreads, OptionsThatAskForMoreAreBuiltTheSame)
 {
   footpoint::InversionOptions seeded;
   seeded.search = footpoint::Search::Seeded;
@@ -110,7 +110,7 @@ TEST(ParallelBuild, OptionsThatAskForMoreAreBuiltTheSame)
   }
 }
 
-TEST(ParallelBuild, TreeIsTheSame)
+TEST(BuildInThreads, TreeIsTheSame)
 {
   footpoint::AlignedVector<footpoint::Corners> boxes;
   const Points points = random_points(20000, 10, -1.0, 1.0);
@@ -135,7 +135,7 @@ TEST(ParallelBuild, TreeIsTheSame)
   }
 }
 
-TEST(ParallelBuild, TellsOfTheFirstBrokenFace)
+TEST(BuildInThreads, TellsOfTheFirstBrokenFace)
 {
   const auto error_of = [](const Model& model, const Execution& execution) -> std::string
   {
@@ -163,7 +163,7 @@ TEST(ParallelBuild, TellsOfTheFirstBrokenFace)
   EXPECT_NE(error_of(model, {}), message);
 }
 
-TEST(ParallelBuild, IndicesAreVisitedOnceAndTheLeastFailureComesOut)
+TEST(BuildInThreads, IndicesAreVisitedOnceAndTheLeastFailureComesOut)
 {
   for (const Execution& execution : executions())
   {
@@ -192,7 +192,7 @@ TEST(ParallelBuild, IndicesAreVisitedOnceAndTheLeastFailureComesOut)
   }
 }
 
-TEST(ParallelBuild, FewItemsStayOnTheCallingThread)
+TEST(BuildInThreads, FewItemsStayOnTheCallingThread)
 {
   Execution never;
   never.parallel_for = [](std::int64_t, const std::function<void(std::int64_t, std::int64_t)>&)
