@@ -125,12 +125,13 @@ Evaluation evaluate_patch(const Patch& patch, const Parameter<2>& parameter, boo
 
 Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const Sides<1>& sides)
 {
-  const Jet<1> jet = curve.jet(t, sides, 3);
+  const Vector3 first = curve.jet(t, sides, 1).first;
   const Direction& direction = curve.direction(0);
-  if (jet.first.norm() > kStalledSpeed * direction.speed)
+  if (first.norm() > kStalledSpeed * direction.speed)
   {
-    return jet.first.normalized();
+    return first.normalized();
   }
+  const Jet<1> jet = curve.jet(t, sides, 3);
   // C(t + h) − C(t) = h² C''/2 + h³ C'''/6: with rising t an odd term keeps its sign, the even one
   // points away from the cusp on both sides and the right one is taken.
   const double scale = direction.speed / direction.length;
@@ -143,14 +144,16 @@ Vector3 unit_tangent(const ParametricCurve& curve, const Parameter<1>& t, const 
 Vector3 unit_normal(const ParametricSurface& surface, const Parameter<2>& t, const Sides<2>& sides)
 {
   const double scale = unit_scale(surface);
-  Jet<2> jet = surface.jet(t, sides, 2);
+  Jet<2> jet = surface.jet(t, sides, 1);
   jet.first *= scale;
-  jet.second *= scale;
   const Vector3 normal = regular_normal(surface, jet, scale);
   if (!normal.isZero())
   {
     return normal;
   }
+  jet = surface.jet(t, sides, 2);
+  jet.first *= scale;
+  jet.second *= scale;
   const double area = (surface.direction(0).speed * scale) * (surface.direction(1).speed * scale);
   for (const Parameter<2>& along : inward(surface, t))
   {
