@@ -30,8 +30,7 @@ void CachedInverter::update(
     throw GeometryError(
       GeometryDefect::Format, message.empty() ? "The source has no faces." : message);
   }
-  this->Inverter =
-    std::make_unique<PointInverter>(std::move(converted.model), options, execution);
+  this->Inverter = std::make_unique<PointInverter>(std::move(converted.model), options, execution);
   this->Content = content;
   ++this->NumberOfBuilds;
 }

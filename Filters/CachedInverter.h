@@ -20,11 +20,11 @@ class CachedInverter
 public:
   /// Makes the inverter for the options. Its search structure is built only where the content is
   /// another than last time, or the options ask for one that is not there yet.
-  /// \param execution what is to be built is shared out to
+  /// \param execution whose threads share the work of building
   /// \throw GeometryError where no face is left; the message has a line for each problem
   /// \throw std::invalid_argument where the method is for curves and the geometry has surfaces
-  void update(const SourceGeometry& geometry, const InversionOptions& options,
-    const Execution& execution);
+  void update(
+    const SourceGeometry& geometry, const InversionOptions& options, const Execution& execution);
 
   const PointInverter& inverter() const { return *this->Inverter; }
   /// What was wrong with the faces that are not in the model.

@@ -26,7 +26,7 @@ struct SourceGeometry
   bool exists() const { return this->source || this->function; }
   /// By content; functions, whose content cannot be read, by identity and modification time.
   ContentHash hash() const;
-  /// Never throws for bad geometry. \param execution what trimming many faces is shared out to
+  /// Never throws for bad geometry. \param execution whose threads share the trimming of many faces
   ConvertedModel convert(const Execution& execution) const;
 };
 

@@ -261,11 +261,12 @@ void trim_all(ConvertedModel& result, const Execution& execution)
       Face refused;
       refused.name = result.model[k].name;
       result.model[k] = std::move(refused);
-      result.problems.push_back({ k, messages[k] });
+      // Where it would be had the face been trimmed as it was read.
+      const auto next = std::find_if(result.problems.begin(), result.problems.end(),
+        [k](const Problem& problem) { return problem.face > k; });
+      result.problems.insert(next, { k, messages[k] });
     }
   }
-  std::stable_sort(result.problems.begin(), result.problems.end(),
-    [](const Problem& a, const Problem& b) { return a.face < b.face; });
 }
 
 } // namespace

@@ -48,9 +48,8 @@ struct ConvertedModel
 /// bad geometry.
 /// \param source     not null
 /// \param flip       reverse the normals of all faces
-/// \param execution  what trimming many faces is shared out to
-ConvertedModel convert_to_model(
-  vtkDataObject* source, bool flip, const Execution& execution = {});
+/// \param execution  whose threads share the trimming of many faces
+ConvertedModel convert_to_model(vtkDataObject* source, bool flip, const Execution& execution = {});
 
 /// What is said of a face in field data.
 struct FaceAttributes

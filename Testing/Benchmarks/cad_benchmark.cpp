@@ -68,7 +68,8 @@ struct Case
     << "cad_benchmark [--points N] [--occt-points N] [--occt-seconds S] [--output FOLDER] FILE...\n"
        "Scans of each CAD file (points of its faces with noise of 1e-4 to 1e-3 of the size)\n"
        "through vtkPointInversionFilter on one thread and on all (wall time), beside\n"
-       "BRepExtrema_DistShapeShape and vtkStaticCellLocator on the display mesh; of the first file\n"
+       "BRepExtrema_DistShapeShape and vtkStaticCellLocator on the display mesh; of the first "
+       "file\n"
        "also models of 31 and 62 copies. Prints a table, and writes it to cad.md and numbers to\n"
        "cad.csv.\n";
   std::exit(code);
@@ -107,11 +108,11 @@ struct Row
   double memory = NAN; ///< MB above what was there before
 };
 
-/// The filter on one point, for what is built, and then on all: sets both times. \param timed gives the
-/// seconds of some work \param built is called in between \return its output
+/// The filter on one point, for what is built, and then on all: sets both times. \param timed gives
+/// the seconds of some work \param built is called in between \return its output
 template <class Timed, class Built>
-vtkSmartPointer<vtkDataSet> run_filter(vtkDataObject* model, vtkPolyData* scan, Row& row,
-  const Timed& timed, const Built& built)
+vtkSmartPointer<vtkDataSet> run_filter(
+  vtkDataObject* model, vtkPolyData* scan, Row& row, const Timed& timed, const Built& built)
 {
   vtkNew<vtkPolyData> first;
   vtkNew<vtkPoints> one_point;
@@ -152,8 +153,8 @@ std::vector<Row> run(const Case& one, const Options& options)
   ours.points = static_cast<long>(options.points);
   const double before = memory_now();
   const auto on_one_thread = [](const auto& work) { return cpu_seconds(work); };
-  const auto output = run_filter(model, scan, ours, on_one_thread,
-    [&] { ours.memory = peak_memory() - before; });
+  const auto output =
+    run_filter(model, scan, ours, on_one_thread, [&] { ours.memory = peak_memory() - before; });
   vtkDataArray* status = output->GetPointData()->GetArray("Status");
   vtkDataArray* distance = output->GetPointData()->GetArray("Distance");
   if (!status || !distance)
@@ -171,12 +172,13 @@ std::vector<Row> run(const Case& one, const Options& options)
   {
     Row shared = ours;
     shared.program = "Footpoint on " + std::to_string(threads) + " threads";
-    shared.memory = NAN; // what is freed before is used again
+    shared.certified = NAN; // as above
+    shared.memory = NAN;    // what is freed before is used again
     const auto on_all_threads = [threads](const auto& work)
     {
       double time = 0.0;
-      vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
-        [&] { time = seconds(work); });
+      vtkSMPTools::LocalScope(
+        vtkSMPTools::Config{ threads, "STDThread", false }, [&] { time = seconds(work); });
       return time;
     };
     run_filter(model, scan, shared, on_all_threads, [] {});

@@ -5,6 +5,7 @@
 #include "timing.h"
 
 #include <array>
+#include <cmath>
 #include <ostream>
 
 namespace inversion_benchmark

@@ -114,9 +114,13 @@ void measure_builds(const Settings& settings, std::ostream& progress, Records& r
     for (std::size_t k = 0; k < 2; ++k)
     {
       std::unique_ptr<footpoint::PointInverter> built;
-      builds[k].push_back(1e3 * seconds([&]
-        { built = std::make_unique<footpoint::PointInverter>(
-            model, footpoint::InversionOptions{}, executions[k]); }));
+      builds[k].push_back(1e3 *
+        seconds(
+          [&]
+          {
+            built = std::make_unique<footpoint::PointInverter>(
+              model, footpoint::InversionOptions{}, executions[k]);
+          }));
     }
   }
   for (std::size_t k = 0; k < 2; ++k)

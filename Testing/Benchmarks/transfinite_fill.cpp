@@ -114,7 +114,8 @@ void one_thread(benchmark::State& state, OutputMemory memory)
 
 void two_threads(benchmark::State& state, OutputMemory memory)
 {
-  compare(state, memory, patch(memory, inversion_benchmark::on_two_threads()), patch(memory, {}), "speedup");
+  compare(state, memory, patch(memory, inversion_benchmark::on_two_threads()), patch(memory, {}),
+    "speedup");
 }
 
 BENCHMARK_CAPTURE(one_thread, fresh, OutputMemory::Fresh)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits for one and two threads, also of models that these share to build, and for any order of the
-// points.
+// The same bits for one and two threads, also of models that these share to build, and for any
+// order of the points.
 #include "FilterTesting.h"
 
 #include "vtkMultiBlockDataSet.h"

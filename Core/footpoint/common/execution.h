@@ -12,7 +12,8 @@ namespace footpoint
 struct Execution
 {
   /// Calls `body(begin, end)` for disjoint ranges that cover [0, count), perhaps concurrently, and
-  /// returns when all are done. Default: one range on the calling thread.
+  /// returns when all are done. Exceptions are left to it: what a body throws on a thread of its
+  /// own ends the program unless it is caught there. Default: one range on the calling thread.
   std::function<void(
     std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)>
     parallel_for =
@@ -24,13 +25,19 @@ struct Execution
   std::function<bool(double fraction)> proceed = [](double) { return true; };
 };
 
-/// Calls `body(begin, end)` for disjoint ranges that cover [0, count): where there are `fewest` items at
-/// least by parallel_for, else, as starting threads would take longer, one range on the calling thread.
+/// Edges or faces, each a tenth of a millisecond of work to build something of, from which on they
+/// are shared out among threads.
+constexpr std::int64_t kFacesForThreads = 32;
+
+/// Calls `body(begin, end)` for disjoint ranges that cover [0, count): by parallel_for where there
+/// are `fewest` items at least, else, as starting threads would take longer, for one range on the
+/// calling thread. Where bodies throw, the exception of the range that begins first comes out, when
+/// all are done.
 void for_ranges(const Execution& execution, std::int64_t count, std::int64_t fewest,
   const std::function<void(std::int64_t begin, std::int64_t end)>& body);
 
-/// Calls `visit(k)` for each k of [0, count), in the same way. If some of them throw, the others are visited
-/// all the same and the exception of the least k comes out, so that errors do not depend on threads.
+/// Calls `visit(k)` for each k of [0, count), in the same way. Where some throw, the exception of
+/// the least k comes out, whatever the threads; those after it may be left out.
 void for_each_index(const Execution& execution, std::int64_t count, std::int64_t fewest,
   const std::function<void(std::int64_t k)>& visit);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/model/point_inversion.h"
 #include "footpoint/model/shared_borders.h"
 #include "footpoint/search/certified_search.h"
@@ -30,7 +31,7 @@ public:
   /// \param members the patches that are splines take part; the others are passed over
   /// \param centre  of the model; queries are measured from there
   /// \param size    of the model
-  /// \param execution what is to be built is shared out to
+  /// \param execution whose threads share the work of building
   CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size,
     const Execution& execution = {});
 

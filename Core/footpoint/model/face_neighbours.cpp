@@ -152,25 +152,35 @@ bool FaceNeighbours::is_open(std::size_t k) const
 
 void FaceNeighbours::add_parts(double size, const Execution& execution)
 {
-  std::vector<EdgePieces> pieces(this->Rims.size());
-  for_each_index(execution, static_cast<std::int64_t>(pieces.size()), kFacesForThreads,
-    [&](std::int64_t k) { pieces[k] = edge_pieces(*this->Rims[k].curve, kRimTolerance * size); });
-  AlignedVector<Corners> boxes;
-  for (std::size_t k = 0; k < this->Rims.size(); ++k)
+  struct PartsOfRim
   {
-    const Rim& rim = this->Rims[k];
-    this->Centre = k == 0 ? rim.curve->centre() : this->Centre;
-    const Vector3 around = Vector3::Constant(pieces[k].error);
-    for (const BezierPiece<1>& piece : pieces[k].pieces)
+    std::vector<Part> parts;
+    std::vector<Corners> boxes;
+  };
+  std::vector<PartsOfRim> rims(this->Rims.size());
+  this->Centre = rims.empty() ? this->Centre : this->Rims.front().curve->centre();
+  for_each_index(execution, static_cast<std::int64_t>(rims.size()), kFacesForThreads,
+    [&](std::int64_t k)
     {
-      const Corners box = bounding_box<1>(piece);
-      const Vector3 shift = rim.curve->centre() - this->Centre;
-      boxes.push_back({ { box[0] + shift - around, box[1] + shift + around } });
-      const auto last = piece.control.cols() - 1;
-      this->Parts.push_back({ k, piece.lower(0), piece.upper(0),
-        piece.control.col(0).head<3>() / piece.control(3, 0),
-        piece.control.col(last).head<3>() / piece.control(3, last), piece.degree[0] == 1 });
-    }
+      const EdgeCurve& curve = *this->Rims[k].curve;
+      const EdgePieces pieces = edge_pieces(curve, kRimTolerance * size);
+      const Vector3 around = Vector3::Constant(pieces.error);
+      const Vector3 shift = curve.centre() - this->Centre;
+      for (const BezierPiece<1>& piece : pieces.pieces)
+      {
+        const Corners box = bounding_box<1>(piece);
+        rims[k].boxes.push_back({ { box[0] + shift - around, box[1] + shift + around } });
+        const auto last = piece.control.cols() - 1;
+        rims[k].parts.push_back({ static_cast<std::size_t>(k), piece.lower(0), piece.upper(0),
+          piece.control.col(0).head<3>() / piece.control(3, 0),
+          piece.control.col(last).head<3>() / piece.control(3, last), piece.degree[0] == 1 });
+      }
+    });
+  AlignedVector<Corners> boxes;
+  for (const PartsOfRim& rim : rims)
+  {
+    boxes.insert(boxes.end(), rim.boxes.begin(), rim.boxes.end());
+    this->Parts.insert(this->Parts.end(), rim.parts.begin(), rim.parts.end());
   }
   this->Tree = BoxTree(boxes, execution);
 }

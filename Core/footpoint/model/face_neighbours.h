@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/model/model.h"
 #include "footpoint/search/box_tree.h"
 #include "footpoint/trims/edge_curve.h"
@@ -28,7 +29,7 @@ class FaceNeighbours
 {
 public:
   /// \param model outlives this \param size of the model
-  /// \param execution what is to be built is shared out to
+  /// \param execution whose threads share the work of building
   FaceNeighbours(const Model& model, double size, const Execution& execution);
 
   /// The weighted sum at a point on the border of a face; zero where no other border meets there.

@@ -6,7 +6,6 @@
 #include "footpoint/splines/surface.h"
 #include "footpoint/trims/trim_region.h"
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,10 +48,6 @@ inline void trim(Face& face)
   }
   face.region = std::make_shared<const TrimRegion>(face.loops, *surface, face.tolerance);
 }
-
-/// Faces or their edges, each a tenth of a millisecond of work to build something of, from which on they are
-/// shared out among threads.
-constexpr std::int64_t kFacesForThreads = 32;
 
 /// Faces in the order of their FaceId.
 using Model = std::vector<Face>;

@@ -75,9 +75,10 @@ public:
   class Workspace;
 
   /// \param model      kept alive by shared pointers
-  /// \param execution  what is to be built is shared out to where there is much of it; every foot has the same
+  /// \param execution  its threads share the work of building large models; every foot has the same
   ///                   bits. Its `proceed` is not asked
   /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
+  /// \throw GeometryError where the loops of a face without a region make none
   explicit PointInverter(
     Model model, const InversionOptions& options = {}, const Execution& execution = {});
   ~PointInverter();
@@ -86,6 +87,7 @@ public:
 
   /// The same model for queries with other options. Cheap: what the model was built into is shared,
   /// and built anew only where it does not serve the options, see `is_prepared_for`.
+  /// \param execution as for the constructor
   /// \throw std::invalid_argument as the constructor
   PointInverter with_options(
     const InversionOptions& options, const Execution& execution = {}) const;

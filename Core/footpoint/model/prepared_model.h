@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/model/certified_feet.h"
 #include "footpoint/model/face_neighbours.h"
 #include "footpoint/model/point_inversion.h"
@@ -45,7 +46,7 @@ struct PreparedParts
 class PreparedModel
 {
 public:
-  /// \param execution what is to be built is shared out to
+  /// \param execution whose threads share the work of building
   PreparedModel(Model model, const PreparedParts& parts, const Execution& execution);
   // Patches point into the model.
   PreparedModel(const PreparedModel&) = delete;

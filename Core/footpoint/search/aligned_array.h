@@ -19,8 +19,8 @@ void* allocate_aligned(std::size_t bytes);
 /// \param bytes with which it was allocated
 void free_aligned(void* memory, std::size_t bytes);
 
-/// Takes such memory for a container, and leaves numbers that it is not given unset: they are set on several
-/// threads later.
+/// Takes such memory for a container, and leaves numbers that it is not given unset: they are set
+/// on several threads later.
 template <class T>
 struct AlignedAllocator
 {

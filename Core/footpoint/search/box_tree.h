@@ -31,7 +31,7 @@ public:
   };
 
   BoxTree() = default;
-  /// \param execution what the boxes are shared out to if there are many
+  /// \param execution whose threads share the boxes if there are many
   explicit BoxTree(const AlignedVector<Corners>& boxes, const Execution& execution = {});
 
   /// The first is the root; none where there are no boxes.

@@ -106,7 +106,7 @@ class CertifiedSearch
 {
 public:
   CertifiedSearch() = default;
-  /// \param execution what is to be built is shared out to
+  /// \param execution whose threads share the work of building
   explicit CertifiedSearch(DistanceForms forms, const Execution& execution = {});
 
   bool empty() const { return this->number_of_pieces() == 0; }

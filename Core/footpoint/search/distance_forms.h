@@ -112,7 +112,7 @@ public:
   void add(std::int32_t patch, const Curve& curve, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special);
   /// \param region outlives the forms; what it does not keep is left out. Null: not trimmed.
-  /// \param execution what the pieces of a large one are shared out to
+  /// \param execution whose threads share the pieces of a large one that is not trimmed
   void add(std::int32_t patch, const Surface& surface, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special, const TrimRegion* region = nullptr,
     const Execution& execution = {});

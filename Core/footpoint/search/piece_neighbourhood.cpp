@@ -405,7 +405,7 @@ AlignedVector<PieceNeighbourhood> find_neighbourhoods(
       });
   };
   const auto patches = static_cast<std::int64_t>(begins.size()) - 1;
-  for_ranges(execution, patches, count < kPiecesForThreads ? patches + 1 : 0,
+  for_ranges(execution, patches, patches > 1 && count >= kPiecesForThreads ? 0 : patches + 1,
     [&](std::int64_t begin, std::int64_t end)
     {
       PieceNeighbourhood alone{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/search/distance_forms.h"
 
 #include <array>
@@ -55,7 +56,7 @@ struct PieceNeighbourhood
 
 /// One for each piece. Models so large or so small that squares of their distances are beyond all
 /// bounds have no blocks, and neither have pieces whose derivatives vanish beside the model.
-/// \param execution what the pieces are shared out to if there are many
+/// \param execution whose threads share the pieces if there are many
 AlignedVector<PieceNeighbourhood> find_neighbourhoods(
   const AlignedVector<Piece>& pieces, const Execution& execution = {});
 

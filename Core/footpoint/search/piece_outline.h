@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/search/aligned_array.h"
 #include "footpoint/search/distance_forms.h"
 
@@ -47,7 +48,7 @@ class PieceOutlines
 {
 public:
   PieceOutlines() = default;
-  /// \param execution what the pieces are shared out to if there are many
+  /// \param execution whose threads share the pieces if there are many
   explicit PieceOutlines(const AlignedVector<Piece>& pieces, const Execution& execution = {});
 
   const PieceOutline& operator[](std::int32_t piece) const { return this->Outlines[piece]; }

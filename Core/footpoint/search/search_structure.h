@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "footpoint/common/execution.h"
 #include "footpoint/search/box_tree.h"
 #include "footpoint/search/distance_forms.h"
 #include "footpoint/search/piece_neighbourhood.h"
@@ -22,7 +23,7 @@ struct TangentPlane
 struct SearchStructure
 {
   SearchStructure() = default;
-  /// \param execution what the pieces are shared out to if there are many
+  /// \param execution whose threads share the pieces if there are many
   explicit SearchStructure(DistanceForms pieces, const Execution& execution = {});
 
   DistanceForms forms;

@@ -56,7 +56,8 @@ public:
 
   std::size_t size() const { return this->Spans[0].size() * this->Spans[1].size(); }
 
-  /// Calls visit(const BezierPiece<2>&) for each piece, or each of a range; the next one overwrites it.
+  /// Calls visit(const BezierPiece<2>&) for each piece, or each of a range; the next one overwrites
+  /// it.
   template <class Visit>
   void for_each(const Visit& visit) const
   {
