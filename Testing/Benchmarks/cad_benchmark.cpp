@@ -68,10 +68,9 @@ struct Case
     << "cad_benchmark [--points N] [--occt-points N] [--occt-seconds S] [--output FOLDER] FILE...\n"
        "Scans of each CAD file (points of its faces with noise of 1e-4 to 1e-3 of the size)\n"
        "through vtkPointInversionFilter on one thread and on all (wall time), beside\n"
-       "BRepExtrema_DistShapeShape and vtkStaticCellLocator on the display mesh; of the first "
-       "file\n"
-       "also models of 31 and 62 copies. Prints a table, and writes it to cad.md and numbers to\n"
-       "cad.csv.\n";
+       "BRepExtrema_DistShapeShape and vtkStaticCellLocator on the display mesh; of the first\n"
+       "file also models of 31 and 62 copies. Prints a table, and writes it to cad.md and numbers\n"
+       "to cad.csv.\n";
   std::exit(code);
 }
 

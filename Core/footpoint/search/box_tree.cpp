@@ -19,7 +19,8 @@ float rounded_down(double value)
                          : rounded;
 }
 
-/// Boxes, each some tenths of a microsecond of work, from which on they are shared out among threads.
+/// Boxes, each some tenths of a microsecond of work, from which on they are shared out among
+/// threads.
 constexpr std::size_t kBoxesForThreads = 8192;
 
 /// Builds nodes over ranges of an order of boxes.
@@ -37,7 +38,8 @@ public:
     }
   }
 
-  /// The whole tree: its children are built by themselves and put behind the root, as if one after the other.
+  /// The whole tree: its children are built by themselves and put behind the root, as if one after
+  /// the other.
   AlignedVector<BoxTree::Node> build(const Execution& execution);
 
 private:

@@ -267,7 +267,7 @@ void DistanceForms::append(std::int32_t patch, const Source& source,
   }
   this->Pieces.resize(needed);
   this->Boxes.resize(needed);
-  const auto fill = [&](std::size_t begin, std::size_t end)
+  const auto fill = [&](std::int64_t begin, std::int64_t end)
   {
     FormProducts products(*shape);
     Points points;
@@ -312,9 +312,7 @@ void DistanceForms::append(std::int32_t patch, const Source& source,
     };
     source.for_each(begin, end, take);
   };
-  for_ranges(execution, static_cast<std::int64_t>(count), kPiecesForThreads,
-    [&fill](std::int64_t begin, std::int64_t end)
-    { fill(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+  for_ranges(execution, static_cast<std::int64_t>(count), kPiecesForThreads, fill);
 }
 
 void DistanceForms::add(std::int32_t patch, const Curve& curve, const Vector3& offset,

@@ -181,7 +181,8 @@ public:
     }
   }
 
-  /// Makes the block of a piece, which knows what is around it. \pre the derivatives of its patch are bounded
+  /// Makes the block of a piece, which knows what is around it.
+  /// \pre the derivatives of its patch are bounded
   void settle(const DerivativeUnits& units, PieceNeighbourhood& result)
   {
     Around around;
@@ -385,7 +386,8 @@ AlignedVector<PieceNeighbourhood> find_neighbourhoods(
   AlignedVector<PieceNeighbourhood> result(pieces.size());
   const auto count = static_cast<std::int64_t>(pieces.size());
   const std::vector<std::int32_t> begins = begins_of_patches(pieces);
-  const std::unique_ptr<PieceDerivatives[]> bounds(new PieceDerivatives[pieces.size()]); // set later
+  // Millions of numbers, all of them set later.
+  const std::unique_ptr<PieceDerivatives[]> bounds(new PieceDerivatives[pieces.size()]);
   double length = 1.0;
   // What each range has of each patch.
   using Visit =

@@ -114,11 +114,11 @@ PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces, const Execution
     size += fits(pieces[k]) ? size_of(*pieces[k].shape) : 0;
   }
   this->Numbers = AlignedArray<float>(size);
-  const auto fill = [&](std::size_t begin, std::size_t end)
+  const auto fill = [&](std::int64_t begin, std::int64_t end)
   {
     // Models of many patches come back to the same few shapes.
     std::map<const PieceShape*, ReducedSquares> squares;
-    for (std::size_t k = begin; k < end; ++k)
+    for (std::int64_t k = begin; k < end; ++k)
     {
       const Piece& piece = pieces[k];
       PieceOutline& outline = this->Outlines[k];
@@ -144,9 +144,7 @@ PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces, const Execution
       outline.count = write(shape, reduced, numbers, outline) ? outline.count : 0;
     }
   };
-  for_ranges(execution, static_cast<std::int64_t>(pieces.size()), kPiecesForThreads,
-    [&fill](std::int64_t begin, std::int64_t end)
-    { fill(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+  for_ranges(execution, static_cast<std::int64_t>(pieces.size()), kPiecesForThreads, fill);
 }
 
 } // namespace footpoint
