@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparison.h"
 
+#include "OracleNearest.h"
+#include "OracleShapes.h"
 #include "timing.h"
 
 #include <iostream>

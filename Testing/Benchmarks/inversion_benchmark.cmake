@@ -2,7 +2,11 @@
 add_executable(inversion_benchmark
   benchmark_shapes.cpp comparison.cpp figures.cpp inversion_benchmark.cpp peer_footpoint.cpp
   queries.cpp results.cpp scaling.cpp tables.cpp vector_targets.cpp)
-target_include_directories(inversion_benchmark PRIVATE "${CMAKE_SOURCE_DIR}/Testing/Core")
+# Shapes and the brute force that the tests have too.
+set(tests "${CMAKE_SOURCE_DIR}/Testing/Core")
+target_sources(inversion_benchmark PRIVATE "${tests}/Oracle.cpp" "${tests}/OracleNearest.cpp"
+  "${tests}/OracleShapes.cpp" "${tests}/Shapes.cpp")
+target_include_directories(inversion_benchmark PRIVATE "${tests}")
 find_package(hwy 1.0 REQUIRED CONFIG) # to choose vector instructions
 target_link_libraries(inversion_benchmark PRIVATE Footpoint::Core hwy::hwy)
 target_compile_options(inversion_benchmark PRIVATE ${footpoint_vtk_warnings})

@@ -6,7 +6,10 @@
 
 #include "Oracle.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "OracleShapes.h"
 #include "Shapes.h"
 
 #include "footpoint/splines/bezier.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OnlyTarget.h"
+#include "Oracle.h"
 #include "Shapes.h"
 
 #include "footpoint/search/distance_form-inl.h"

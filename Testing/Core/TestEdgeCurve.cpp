@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Oracle.h"
 #include "TrimFaces.h"
 #include "TrimShapes.h"
 

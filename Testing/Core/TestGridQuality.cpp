@@ -3,8 +3,10 @@
 
 #include "GridShapes.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 using footpoint::find_folds;
@@ -23,6 +25,13 @@ using grid_shapes::mapped;
 
 namespace
 {
+
+/// A rotation that takes the z axis to a unit vector.
+Eigen::Matrix3d turn_to(const Vector3& direction)
+{
+  const Vector3 axis = Vector3::UnitZ().cross(direction).normalized();
+  return Eigen::AngleAxisd(std::acos(direction.z()), axis).toRotationMatrix();
+}
 
 /// One cell with the corners in the order of the grid's points.
 GridQuality<2> one_cell(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
@@ -280,8 +289,7 @@ TEST(GridQuality, a_fold_changes_normals_only_about_it)
 // More points than are taken at a time, and one of them off the plane, in each place.
 TEST(GridQuality, planes_are_found_among_many_points)
 {
-  const Eigen::Quaterniond turn =
-    Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), Vector3(1, 2, 3));
+  const Eigen::Matrix3d turn = turn_to(Vector3(1, 2, 3).normalized());
   const Grid flat = mapped(grid_shapes::transfinite(grid_shapes::swan(), 61, 61),
     [&](const Vector3& p) -> Vector3 { return turn * p; });
   const Plane plane = fit_plane(flat.points);
@@ -302,7 +310,7 @@ TEST(GridQuality, planes_are_found)
   EXPECT_EQ(fit_plane(swan.points).normal, Vector3(Vector3::UnitZ()));
   EXPECT_EQ(reference_normals(swan).col(0), Vector3(Vector3::UnitZ()));
   const Vector3 direction = Vector3(1, 2, 3).normalized();
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), direction);
+  const Eigen::Matrix3d turn = turn_to(direction);
   const Grid turned = mapped(swan, [&](const Vector3& p) -> Vector3 { return turn * p; });
   const Plane plane = fit_plane(turned.points);
   EXPECT_TRUE(plane.planar);

@@ -4,6 +4,8 @@
 // surfaces far from the origin.
 
 #include "Inversion.h"
+#include "OracleNearest.h"
+#include "OracleShapes.h"
 
 using namespace inversion;
 using footpoint::KnotVector;

@@ -4,6 +4,8 @@
 // form.
 
 #include "Inversion.h"
+#include "OracleNearest.h"
+#include "OracleShapes.h"
 
 using namespace inversion;
 using footpoint::Surface;

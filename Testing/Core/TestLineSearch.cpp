@@ -4,6 +4,7 @@
 // line.
 
 #include "Inversion.h"
+#include "OracleShapes.h"
 
 #include <algorithm>
 #include <cmath>

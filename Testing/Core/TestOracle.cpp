@@ -2,6 +2,8 @@
 
 // The judge is judged by closed forms alone.
 
+#include "OracleNearest.h"
+#include "OracleShapes.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

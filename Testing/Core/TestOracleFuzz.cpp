@@ -9,6 +9,7 @@
 #include "FormerFailures.h"
 #include "FuzzGeometry.h"
 #include "Inversion.h"
+#include "Oracle.h"
 #include "SlowBuild.h"
 
 #include <cstdlib>

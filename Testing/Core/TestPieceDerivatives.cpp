@@ -7,8 +7,6 @@
 
 #include "footpoint/search/rational_derivatives.h"
 
-#include <Eigen/Eigenvalues>
-
 using footpoint::BlockFrame;
 using footpoint::Curve;
 using footpoint::PieceDerivatives;
@@ -180,7 +178,7 @@ TEST(RationalDerivatives, SpeedIsTheLeastOverThePiece)
       {
         const std::array<Vector, 2> first =
           derivatives(piece, units, { { sample / 6 / 5.0L, sample % 6 / 5.0L } });
-        // The symmetric part of the derivatives by the block's parameters, and its eigenvalues.
+        // The symmetric part of the derivatives by the block's parameters, and its lower eigenvalue.
         Eigen::Matrix<Real, 2, 2> part;
         for (int i = 0; i < 2; ++i)
         {
@@ -191,11 +189,10 @@ TEST(RationalDerivatives, SpeedIsTheLeastOverThePiece)
               first[1] * static_cast<Real>(frame.rows[1][j]));
           }
         }
-        const Eigen::Matrix<Real, 2, 2> symmetric = 0.5L * (part + part.transpose());
-        least = std::min(least,
-          frame.curve
-            ? part(1, 1)
-            : Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 2, 2>>(symmetric).eigenvalues()(0));
+        const Real lower = 0.5L *
+          (part(0, 0) + part(1, 1) -
+            std::hypot(part(0, 0) - part(1, 1), part(0, 1) + part(1, 0)));
+        least = std::min(least, frame.curve ? part(1, 1) : lower);
       }
       const double found = rational.speed(piece, units, frame);
       const double of_boxes = frame.speed_of(bounds).speed;
@@ -250,10 +247,10 @@ TEST(BlockFrame, SpeedsAreTheLeastOverAllDerivativesAndWays)
       const Vector3 one = first[1].normalized();
       const Vector3 two = (first[0] - first[0].dot(one) * one).normalized();
       const Vector3 way = std::cos(angle) * one + std::sin(angle) * two;
-      Eigen::Matrix<double, 3, 2> jacobian;
-      jacobian << first[0], first[1];
-      const Eigen::Vector2d t = jacobian.colPivHouseholderQr().solve(way);
-      EXPECT_LE((jacobian * t - way).norm(), 1e-10);
+      Eigen::Vector2d t;
+      t(0) = std::sin(angle) / first[0].dot(two);
+      t(1) = (std::cos(angle) - t(0) * first[0].dot(one)) / first[1].norm();
+      EXPECT_LE((t(0) * first[0] + t(1) * first[1] - way).norm(), 1e-10);
       double along = 0.0; // of the way in space along itself, at the least
       for (int i = 0; i < 2; ++i)
       {

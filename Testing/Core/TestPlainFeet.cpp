@@ -3,6 +3,7 @@
 /// Feet on kinks, which are filled in from the derivatives on both sides: judged by brute force, by
 /// the surface on either side and by descents on the whole surface.
 
+#include "OracleNearest.h"
 #include "SlowBuild.h"
 #include "SurfaceFeet.h"
 

@@ -4,6 +4,7 @@
 // feet form continua.
 
 #include "Inversion.h"
+#include "OracleShapes.h"
 
 #include <algorithm>
 #include <chrono>
