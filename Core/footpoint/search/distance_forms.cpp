@@ -6,6 +6,8 @@
 #include "footpoint/search/trimmed_pieces.h"
 #include "footpoint/splines/binomials.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -229,6 +231,21 @@ PieceShape::PieceShape(int p, int q, bool is_rational)
   this->halves = { { weights_of_halves(n, 2 * n + 1), weights_of_halves(m, this->halves_stride) } };
 }
 
+void prefetch_net_after(const AlignedVector<Piece>& pieces, std::int64_t index, std::int64_t end)
+{
+  constexpr std::int64_t kAhead = 4;
+  constexpr int kMostNumbers = 256;
+  if (index + kAhead < end)
+  {
+    const Piece& piece = pieces[index + kAhead];
+    const int size = std::min(piece.shape->net_size, kMostNumbers);
+    for (int k = 0; k < size; k += 8) // of 64 bytes
+    {
+      hwy::Prefetch(piece.net + k);
+    }
+  }
+}
+
 const PieceShape* DistanceForms::shape_of(const Surface& surface)
 {
   return this->shape(surface.knots(0).degree(), surface.knots(1).degree(), surface.rational());
@@ -276,8 +293,11 @@ void DistanceForms::append(std::int32_t patch, const Source& source,
     Corners* box = this->Boxes.data() + before + begin;
     const auto take = [&](const BezierPiece<N>& bezier)
     {
-      points =
-        bezier.control.template topRows<3>().array().rowwise() / bezier.control.row(3).array();
+      points = bezier.control.template topRows<3>();
+      if (shape->rational || bezier.control(3, 0) != 1.0)
+      {
+        points.array().rowwise() /= bezier.control.row(3).array();
+      }
       const Vector3 lower = points.rowwise().minCoeff();
       const Vector3 upper = points.rowwise().maxCoeff();
       const Vector3 origin =

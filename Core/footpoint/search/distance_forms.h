@@ -84,6 +84,10 @@ struct Piece
   double error; ///< how far the piece may be from the geometry, beyond rounding
 };
 
+/// For loops over the nets of pieces, which lie far apart in memory: asks for the start of the net of
+/// a piece a few after this one, if it is before the end.
+void prefetch_net_after(const AlignedVector<Piece>& pieces, std::int64_t index, std::int64_t end);
+
 /// The Bézier pieces of all splines of a model, each with its *distance form*: for a query P and a
 /// number T the polynomial
 ///

@@ -27,10 +27,11 @@ namespace form_products
 /// Zeros before and behind a line, so that a vector at any shift of it may be loaded.
 constexpr int kMargin = 8;
 
-/// Numbers from one line to the next: margins, and the line itself in whole vectors.
-inline int line_stride(const PieceShape& shape)
+/// Numbers from one line of a polynomial of a degree to the next: margins, and the line itself in
+/// whole vectors.
+constexpr int line_stride(int degree)
 {
-  return 2 * kMargin + (shape.degree[1] + kMargin) / kMargin * kMargin;
+  return 2 * kMargin + (degree + kMargin) / kMargin * kMargin;
 }
 
 } // namespace form_products
@@ -49,82 +50,123 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Tag>;
 
-/// Coefficients [column, column + lanes) of a row of all forms, times their binomials.
+/// Coefficients [column, column + lanes) of a row of all forms, times their binomials. What adds up
+/// to Q is summed by coordinates, so that no sum waits long for the one before.
 template <bool Rational>
 struct Sums
 {
-  Vector q;
-  Vector x;
-  Vector y;
-  Vector z;
+  Vector q[3];
+  Vector xyz[3];
   Vector w2;
 
-  /// Adds a row of the net times another one. \param a, b x of the rows, y, z and w a stride
-  /// farther
-  HWY_INLINE void add(const double* a, const double* b, int stride, int degree, int column)
+  HWY_INLINE Sums()
+  {
+    const auto zero = hn::Zero(Tag());
+    std::fill_n(this->q, 3, zero);
+    std::fill_n(this->xyz, 3, zero);
+    this->w2 = zero;
+  }
+
+  /// Adds a coefficient of a line of the net times another line. \param factor x of the
+  /// coefficient, y, z and w a stride farther \param line likewise
+  HWY_INLINE void add(const double* factor, const double* line, int stride)
   {
     const Tag tag;
-    const int lanes = static_cast<int>(hn::Lanes(tag));
-    const int first = std::max(0, column - degree);
-    const int last = std::min(degree, column + lanes - 1);
-    for (int j = first; j <= last; ++j)
+    for (int k = 0; k < 3; ++k)
     {
-      const double* shifted = b + column - j;
-      const auto bx = hn::LoadU(tag, shifted);
-      const auto by = hn::LoadU(tag, shifted + stride);
-      const auto bz = hn::LoadU(tag, shifted + 2 * stride);
-      this->q = hn::MulAdd(hn::Set(tag, a[j]), bx, this->q);
-      this->q = hn::MulAdd(hn::Set(tag, a[stride + j]), by, this->q);
-      this->q = hn::MulAdd(hn::Set(tag, a[2 * stride + j]), bz, this->q);
+      const auto b = hn::LoadU(tag, line + k * stride);
+      this->q[k] = hn::MulAdd(hn::Set(tag, factor[k * stride]), b, this->q[k]);
       if (Rational)
       {
-        const auto w = hn::Set(tag, a[3 * stride + j]);
-        this->x = hn::MulAdd(w, bx, this->x);
-        this->y = hn::MulAdd(w, by, this->y);
-        this->z = hn::MulAdd(w, bz, this->z);
-        this->w2 = hn::MulAdd(w, hn::LoadU(tag, shifted + 3 * stride), this->w2);
+        this->xyz[k] = hn::MulAdd(hn::Set(tag, factor[3 * stride]), b, this->xyz[k]);
       }
+    }
+    if (Rational)
+    {
+      const auto w = hn::LoadU(tag, line + 3 * stride);
+      this->w2 = hn::MulAdd(hn::Set(tag, factor[3 * stride]), w, this->w2);
+    }
+  }
+
+  /// \param divisors of these coefficients \param size from form to form
+  HWY_INLINE void store(const double* divisors, int size, double* forms) const
+  {
+    const Tag tag;
+    const auto divisor = hn::LoadU(tag, divisors);
+    const auto sum = hn::Add(hn::Add(this->q[0], this->q[1]), this->q[2]);
+    hn::StoreU(hn::Mul(divisor, sum), tag, forms);
+    if (Rational)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        hn::StoreU(hn::Mul(divisor, this->xyz[k]), tag, forms + (k + 1) * size);
+      }
+      hn::StoreU(hn::Mul(divisor, this->w2), tag, forms + 4 * size);
     }
   }
 };
 
-template <bool Rational>
-HWY_INLINE void multiply(
+/// \tparam Degree of the second direction, −1: any
+template <int Degree, bool Rational>
+HWY_NOINLINE void multiply(
   const PieceShape& shape, const double* lines, const double* divisors, double* forms)
 {
-  const Tag tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag()));
+  constexpr int kVectors = Rational || kLanes == 8 ? 1 : 2; // as the registers have room for
   const int p = shape.degree[0];
-  const int stride = form_products::line_stride(shape);
+  const int q = Degree >= 0 ? Degree : shape.degree[1];
+  const int columns = 2 * q + 1;
+  const int row_stride = (columns + 7) / 8 * 8;
+  const int stride = form_products::line_stride(q);
   lines += form_products::kMargin;
   for (int row = 0; row < shape.rows; ++row)
   {
-    double* target = forms + row * shape.stride;
-    for (int column = 0; column < shape.columns; column += lanes)
+    for (int column = 0; column < columns; column += kVectors * kLanes)
     {
-      const auto zero = hn::Zero(tag);
-      Sums<Rational> sums{ zero, zero, zero, zero, zero };
-      for (int i = std::max(0, row - p); i <= std::min(p, row); ++i)
+      // Zeros on either side of the lines make up for bounds that do not depend on the column.
+      const int first_factor = Degree >= 0 ? 0 : std::max(0, column - q);
+      const int last_factor = Degree >= 0 ? q : std::min(q, column + kVectors * kLanes - 1);
+      const int last = std::min(p, row);
+      Sums<Rational> sums[kVectors];
+      for (int i = std::max(0, row - p); i <= last; ++i)
       {
-        sums.add(
-          lines + 4 * i * stride, lines + 4 * (row - i) * stride, stride, shape.degree[1], column);
+        const double* factors = lines + 4 * i * stride;
+        const double* other = lines + 4 * (row - i) * stride + column;
+        for (int j = first_factor; j <= last_factor; ++j)
+        {
+          for (int v = 0; v < kVectors; ++v)
+          {
+            sums[v].add(factors + j, other + v * kLanes - j, stride);
+          }
+        }
       }
-      const auto divisor = hn::LoadU(tag, divisors + row * shape.stride + column);
-      double* to = target + column;
-      hn::StoreU(hn::Mul(divisor, sums.q), tag, to);
-      if (Rational)
+      for (int v = 0; v < kVectors; ++v)
       {
-        hn::StoreU(hn::Mul(divisor, sums.x), tag, to + shape.form_size);
-        hn::StoreU(hn::Mul(divisor, sums.y), tag, to + 2 * shape.form_size);
-        hn::StoreU(hn::Mul(divisor, sums.z), tag, to + 3 * shape.form_size);
-        hn::StoreU(hn::Mul(divisor, sums.w2), tag, to + 4 * shape.form_size);
+        sums[v].store(
+          divisors + column + v * kLanes, shape.form_size, forms + column + v * kLanes);
       }
     }
     for (int form = 0; form < shape.number_of_forms; ++form)
     {
-      double* of_form = target + form * shape.form_size;
-      std::fill(of_form + shape.columns, of_form + shape.stride, of_form[shape.columns - 1]);
+      double* of_form = forms + form * shape.form_size;
+      std::fill(of_form + columns, of_form + row_stride, of_form[columns - 1]);
     }
+    divisors += row_stride;
+    forms += row_stride;
+  }
+}
+
+template <int Degree>
+void multiply_by_degree(
+  const PieceShape& shape, const double* lines, const double* divisors, double* forms)
+{
+  if (shape.rational)
+  {
+    multiply<Degree, true>(shape, lines, divisors, forms);
+  }
+  else
+  {
+    multiply<Degree, false>(shape, lines, divisors, forms);
   }
 }
 
@@ -133,13 +175,14 @@ HWY_INLINE void multiply(
 void multiply_lines(
   const PieceShape& shape, const double* lines, const double* divisors, double* forms)
 {
-  if (shape.rational)
+  switch (shape.degree[1])
   {
-    multiply<true>(shape, lines, divisors, forms);
-  }
-  else
-  {
-    multiply<false>(shape, lines, divisors, forms);
+    case 2:
+      return multiply_by_degree<2>(shape, lines, divisors, forms);
+    case 3:
+      return multiply_by_degree<3>(shape, lines, divisors, forms);
+    default:
+      return multiply_by_degree<-1>(shape, lines, divisors, forms);
   }
 }
 
@@ -159,7 +202,7 @@ HWY_EXPORT(multiply_lines);
 FormProducts::FormProducts(const PieceShape& shape)
   : Shape(shape)
   , Divisors(shape.form_size, 0.0)
-  , Lines(4 * (shape.degree[0] + 1) * form_products::line_stride(shape), 0.0)
+  , Lines(4 * (shape.degree[0] + 1) * form_products::line_stride(shape.degree[1]), 0.0)
 {
   const std::vector<double> p = binomials(shape.degree[0]);
   const std::vector<double> q = binomials(shape.degree[1]);
@@ -183,7 +226,7 @@ FormProducts::FormProducts(const PieceShape& shape)
 
 void FormProducts::fill(const double* net, double* forms)
 {
-  const int stride = form_products::line_stride(this->Shape);
+  const int stride = form_products::line_stride(this->Shape.degree[1]);
   const int columns = this->Shape.degree[1] + 1;
   const double* binomial = this->Binomials.data();
   double* line = this->Lines.data() + form_products::kMargin;

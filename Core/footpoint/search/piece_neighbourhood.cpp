@@ -4,8 +4,6 @@
 #include "footpoint/search/block_frame.h"
 #include "footpoint/search/rational_derivatives.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -39,11 +37,6 @@ constexpr int kGreatestExponent = 430;
 /// degrees p + q = 1, as a part of the piece's reach: ½ step² |S'''| |r| with |S'''| ≤ 2 (p + q)
 /// |S''| and |S''| |r| ≤ m², in units that are as long as 8 (p + q) times the reach.
 constexpr double kExpansion = 0x1p-42;
-
-/// The nets lie far apart in memory: so many pieces ahead of its use the start of one, in numbers,
-/// is asked for.
-constexpr std::int32_t kAhead = 4;
-constexpr int kMostAhead = 256;
 
 constexpr int kMiddle = 4;
 constexpr int kPlaces = 9;
@@ -144,15 +137,6 @@ private:
   std::int32_t Step[2] = { 1, 1 };
 };
 
-void prefetch_net(const Piece& piece)
-{
-  const int size = std::min(piece.shape->net_size, kMostAhead);
-  for (int k = 0; k < size; k += 8) // of 64 bytes
-  {
-    hwy::Prefetch(piece.net + k);
-  }
-}
-
 /// Finds out of which pieces around each one a block is made, and how far it holds.
 class BlockBuilder
 {
@@ -171,10 +155,7 @@ public:
   {
     for (std::int32_t k = begin; k < end; ++k)
     {
-      if (k + kAhead < end)
-      {
-        prefetch_net(this->Pieces[k + kAhead]);
-      }
+      prefetch_net_after(this->Pieces, k, end);
       const Piece& piece = this->Pieces[k];
       this->Bounds[k] = piece.shape->rational ? this->Rational.bounds(piece, units)
                                               : piece_derivatives(piece, units);

@@ -50,39 +50,45 @@ bool write(
   const PieceShape& shape, const ReducedSquares& squares, float* numbers, PieceOutline& outline)
 {
   const std::array<NumberRows, 4>& net = squares.net();
+  const int rows = net[0].rows;
+  const int columns = net[0].columns;
   const std::int32_t count = outline.count;
   const double inverse = outline.inverse_unit;
+  const bool rational = shape.rational;
   double longest = 0.0;
   double greatest = 0.0;
   int k = 0;
-  for (int i = 0; i < net[0].rows; ++i)
+  for (int i = 0; i < rows; ++i)
   {
-    for (int j = 0; j < net[0].columns; ++j, ++k)
+    const double* x = net[0][i];
+    const double* y = net[1][i];
+    const double* z = net[2][i];
+    const double* w = net[3][i];
+    const double* a = squares.squares()[i];
+    for (int j = 0; j < columns; ++j, ++k)
     {
-      const double factor = shape.rational ? inverse / net[3][i][j] : inverse;
-      double squared = 0.0;
+      const double factor = rational ? inverse / w[j] : inverse;
+      const Vector3 at = factor * Vector3(x[j], y[j], z[j]);
+      const double square = a[j] * inverse * inverse;
       for (int c = 0; c < 3; ++c)
       {
-        const double x = net[c][i][j] * factor;
-        numbers[c * count + k] = static_cast<float>(x);
-        longest = std::max(longest, std::abs(x));
-        squared += x * x;
+        numbers[c * count + k] = static_cast<float>(at(c));
+        longest = std::max(longest, std::abs(at(c)));
       }
-      const double a = squares.squares()[i][j] * inverse * inverse;
-      numbers[3 * count + k] = static_cast<float>(a);
-      if (shape.rational)
+      numbers[3 * count + k] = static_cast<float>(square);
+      if (rational)
       {
-        numbers[4 * count + k] = static_cast<float>(net[3][i][j]);
+        numbers[4 * count + k] = static_cast<float>(w[j]);
       }
-      greatest = std::max({ greatest, std::abs(a), squared });
+      greatest = std::max(greatest, std::max(std::abs(square), at.squaredNorm()));
     }
   }
-  for (float* at = numbers; at < outline.corners(shape.rational); at += count)
+  for (float* at = numbers; at < outline.corners(rational); at += count)
   {
     std::fill(at + k, at + count, at[k - 1]);
   }
   // A curve has each of its ends twice.
-  const int last = net[0].columns - 1;
+  const int last = columns - 1;
   const int corners[PieceOutline::kCorners] = { 0, last, k - 1 - last, k - 1 };
   float* corner = numbers + size_of(shape) - 4 * PieceOutline::kCorners;
   for (int end = 0; end < PieceOutline::kCorners; ++end)
@@ -120,6 +126,7 @@ PieceOutlines::PieceOutlines(const AlignedVector<Piece>& pieces, const Execution
     std::map<const PieceShape*, ReducedSquares> squares;
     for (std::int64_t k = begin; k < end; ++k)
     {
+      prefetch_net_after(pieces, k, end);
       const Piece& piece = pieces[k];
       PieceOutline& outline = this->Outlines[k];
       std::copy(piece.origin.begin(), piece.origin.end(), outline.origin);

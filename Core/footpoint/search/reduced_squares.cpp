@@ -29,22 +29,89 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+namespace
+{
+
+/// Columns [column, column + Vectors × lanes) of a product. \tparam Inner columns of the left
+/// factor, −1: any
+template <int Inner, int Vectors>
+HWY_INLINE void multiply_columns(
+  const NumberRows& left, const double* right, int stride, int column, NumberRows& product)
+{
+  const hn::CappedTag<double, 4> tag;
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(tag));
+  const int inner = Inner >= 0 ? Inner : left.columns;
+  const double* factor = left[0];
+  double* target = product[0] + column;
+  for (int i = 0; i < left.rows; ++i, factor += left.stride, target += product.stride)
+  {
+    hn::Vec<decltype(tag)> sums[Vectors];
+    std::fill_n(sums, Vectors, hn::Zero(tag));
+    for (int k = 0; k < inner; ++k)
+    {
+      const auto a = hn::Set(tag, factor[k]);
+      for (int v = 0; v < Vectors; ++v)
+      {
+        const auto b = hn::LoadU(tag, right + k * stride + column + v * kLanes);
+        sums[v] = hn::MulAdd(a, b, sums[v]);
+      }
+    }
+    for (int v = 0; v < Vectors; ++v)
+    {
+      hn::StoreU(sums[v], tag, target + v * kLanes);
+    }
+  }
+}
+
+template <int Inner>
+void multiply_by(const NumberRows& left, const double* right, int stride, NumberRows& product)
+{
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(hn::CappedTag<double, 4>()));
+  int column = 0;
+  for (; column + 2 * kLanes <= product.stride; column += 2 * kLanes)
+  {
+    multiply_columns<Inner, 2>(left, right, stride, column, product);
+  }
+  for (; column < product.stride; column += kLanes)
+  {
+    multiply_columns<Inner, 1>(left, right, stride, column, product);
+  }
+}
+
+} // namespace
+
 /// product = left × right. \param stride of right; its rows reach as far as those of the product
 void multiply_rows(const NumberRows& left, const double* right, int stride, NumberRows& product)
 {
-  const hn::CappedTag<double, 4> tag;
-  for (int i = 0; i < left.rows; ++i)
+  switch (left.columns)
   {
-    for (int j = 0; j < product.stride; j += static_cast<int>(hn::Lanes(tag)))
+    case 3: // of degree two, and their forms
+      return multiply_by<3>(left, right, stride, product);
+    case 4: // of degree three
+      return multiply_by<4>(left, right, stride, product);
+    case 5:
+      return multiply_by<5>(left, right, stride, product);
+    case 7:
+      return multiply_by<7>(left, right, stride, product);
+    default:
+      return multiply_by<-1>(left, right, stride, product);
+  }
+}
+
+/// The greatest of all a − b, in rows of as many vectors as a has. \param stride of b
+double greatest_difference(const NumberRows& a, const double* b, int stride)
+{
+  const hn::CappedTag<double, 4> tag;
+  auto greatest = hn::Set(tag, -std::numeric_limits<double>::infinity());
+  for (int i = 0; i < a.rows; ++i)
+  {
+    for (int j = 0; j < a.stride; j += static_cast<int>(hn::Lanes(tag)))
     {
-      auto sum = hn::Zero(tag);
-      for (int k = 0; k < left.columns; ++k)
-      {
-        sum = hn::MulAdd(hn::Set(tag, left[i][k]), hn::LoadU(tag, right + k * stride + j), sum);
-      }
-      hn::StoreU(sum, tag, product[i] + j);
+      greatest = hn::Max(
+        greatest, hn::Sub(hn::LoadU(tag, a[i] + j), hn::LoadU(tag, b + i * stride + j)));
     }
   }
+  return hn::GetLane(hn::MaxOfLanes(tag, greatest));
 }
 
 } // namespace HWY_NAMESPACE
@@ -58,6 +125,7 @@ namespace footpoint
 namespace
 {
 HWY_EXPORT(multiply_rows);
+HWY_EXPORT(greatest_difference);
 
 /// A rounding.
 constexpr double kRounding = 0x1p-53;
@@ -137,6 +205,12 @@ ReducedSquares::ReducedSquares(const PieceShape& shape)
   this->RaisingForm =
     along_both(raising(2 * from[0], from[0] + to[0]), raising(2 * from[1], from[1] + to[1]));
   this->RaisingResult = along_both(raising(to[0], 2 * from[0]), raising(to[1], 2 * from[1]));
+  // As the rows of Q that it is compared with.
+  NumberRows& last = this->RaisingResult.second;
+  for (int i = 0; i < last.rows; ++i)
+  {
+    std::fill(last[i] + last.columns, last[i] + last.stride, last[i][last.columns - 1]);
+  }
   const std::vector<double> u = binomials(from[0] + to[0]);
   const std::vector<double> v = binomials(from[1] + to[1]);
   this->Divisors = NumberRows(from[0] + to[0] + 1, from[1] + to[1] + 1);
@@ -169,14 +243,17 @@ void ReducedSquares::apply(Operator& what, const double* source, int stride, Num
 void ReducedSquares::take_net(const Piece& piece)
 {
   std::array<NumberRows, 4>& net = this->Raises ? this->Own : this->Net;
-  const double* number = piece.net;
-  for (int i = 0; i < net[0].rows; ++i)
+  const int rows = net[0].rows;
+  const int columns = net[0].columns;
+  for (int k = 0; k < 4; ++k)
   {
-    for (int j = 0; j < net[0].columns; ++j, number += 4)
+    const double* number = piece.net + k;
+    double* row = net[k][0];
+    for (int i = 0; i < rows; ++i, row += net[k].stride)
     {
-      for (int k = 0; k < 4; ++k)
+      for (int j = 0; j < columns; ++j, number += 4)
       {
-        net[k][i][j] = number[k];
+        row[j] = *number;
       }
     }
   }
@@ -200,16 +277,9 @@ double ReducedSquares::rounding(const Piece& piece) const
 double ReducedSquares::excess(const Piece& piece)
 {
   this->apply(this->RaisingResult, this->Squares[0], this->Squares.stride, this->Product);
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < this->Shape.rows; ++i)
-  {
-    const double* form = piece.forms + i * this->Shape.stride;
-    for (int j = 0; j < this->Shape.columns; ++j)
-    {
-      greatest = std::max(greatest, this->Product[i][j] - form[j]);
-    }
-  }
-  return greatest + this->rounding(piece);
+  return HWY_DYNAMIC_DISPATCH(greatest_difference)(
+           this->Product, piece.forms, this->Shape.stride) +
+    this->rounding(piece);
 }
 
 double ReducedSquares::rational_excess(const Piece& piece)

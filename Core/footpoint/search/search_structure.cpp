@@ -40,15 +40,20 @@ TangentPlane tangent_plane(const Piece& piece, const Middle& u, const Middle& v)
   Eigen::Vector4d s = Eigen::Vector4d::Zero();
   Eigen::Vector4d su = s;
   Eigen::Vector4d sv = s;
+  const double* number = piece.net;
   for (int i = 0; i < rows; ++i)
   {
-    for (int j = 0; j < columns; ++j)
+    Eigen::Vector4d row = Eigen::Vector4d::Zero();
+    Eigen::Vector4d slope = row;
+    for (int j = 0; j < columns; ++j, number += 4)
     {
-      const Eigen::Map<const Eigen::Vector4d> control(piece.net + 4 * (i * columns + j));
-      s += u.value[i] * v.value[j] * control;
-      su += u.slope[i] * v.value[j] * control;
-      sv += u.value[i] * v.slope[j] * control;
+      const Eigen::Map<const Eigen::Vector4d> control(number);
+      row += v.value[j] * control;
+      slope += v.slope[j] * control;
     }
+    s += u.value[i] * row;
+    su += u.slope[i] * row;
+    sv += u.value[i] * slope;
   }
   const Vector3 point = s.head<3>() / s(3);
   const Vector3 by_u = (su.head<3>() - su(3) * point) / s(3);
@@ -93,6 +98,7 @@ AlignedVector<TangentPlane> tangent_planes(
       Middle v(0);
       for (std::int64_t k = begin; k < end; ++k)
       {
+        prefetch_net_after(pieces, k, end);
         const Piece& piece = pieces[k];
         if (piece.shape != shape)
         {
