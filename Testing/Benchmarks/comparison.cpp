@@ -316,7 +316,7 @@ Records compare(const Settings& settings, std::ostream& progress)
   {
     classes.push_back(static_cast<QueryClass>(c));
   }
-  const std::vector<std::unique_ptr<Peer>> programs = all_peers(settings.ours_only);
+  const std::vector<std::unique_ptr<Peer>> programs = all_peers(settings.ours_only, true);
   Records records;
   for (const Shape& shape : all_shapes())
   {

@@ -252,10 +252,11 @@ void print_ratios(std::ostream& out, const Records& records, const std::string& 
     [](const Shape& shape) { return shape.name == "degree7x7"; });
   ratio(out, records, ours, "SISL", 50, "each surface", surface);
   ratio(out, records, ours, "VTK locator", 10, "each surface", surface);
+  ratio(out, records, ours, "VTK locator 1e-4", 10, "each surface", surface);
 }
 
 /// How far distances on the tessellation are off.
-void print_locator_error(std::ostream& out, const Records& records)
+void print_locator_error(std::ostream& out, const Records& records, const std::string& locator)
 {
   std::vector<double> errors;
   for (const Shape& shape : all_shapes())
@@ -264,7 +265,7 @@ void print_locator_error(std::ostream& out, const Records& records)
     for (const QueryClass query_class : kMainClasses)
     {
       const Record* r =
-        find(records, "comparison", shape.name, name_of(query_class), "VTK locator");
+        find(records, "comparison", shape.name, name_of(query_class), locator);
       largest = r != nullptr ? std::fmax(largest, r->error) : largest;
     }
     if (shape.family != Family::Other && std::isfinite(largest))
@@ -274,7 +275,7 @@ void print_locator_error(std::ostream& out, const Records& records)
   }
   if (!errors.empty())
   {
-    fact(out, "largest error of the VTK locator's distances, by the size, on each surface",
+    fact(out, "largest error of distances by " + locator + ", by the size, on each surface",
       "median " + small(median(errors)) + ", " +
         small(*std::min_element(errors.begin(), errors.end())) + " … " +
         small(*std::max_element(errors.begin(), errors.end())));
@@ -342,7 +343,8 @@ void print_figures(std::ostream& out, const Records& records)
   {
     print_ratios(out, records, batch);
   }
-  print_locator_error(out, records);
+  print_locator_error(out, records, "VTK locator");
+  print_locator_error(out, records, "VTK locator 1e-4");
   print_threads(out, records);
   print_vector_targets(out, records);
   out << '\n';

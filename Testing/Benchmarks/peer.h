@@ -49,9 +49,13 @@ std::unique_ptr<Peer> make_sisl();
 /// vtkStaticCellLocator on a tessellation of 200 x 200 quadrilaterals, cut into triangles (curves:
 /// 4,000 segments).
 std::unique_ptr<Peer> make_vtk_locator();
+/// The same, with so many more quadrilaterals as keep the mesh within 1e-4 × size of the surface
+/// where those do not.
+std::unique_ptr<Peer> make_fine_vtk_locator();
 
 /// Ours, one by one and in batches, and those that were found when this was configured, ours first.
-std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only);
+/// \param fine_mesh with both of VTK's
+std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only, bool fine_mesh);
 
 /// Whether a program is ours, by its name.
 bool is_ours(const std::string& program);

@@ -81,7 +81,7 @@ bool is_ours(const std::string& program)
   return program.rfind("Footpoint", 0) == 0;
 }
 
-std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only)
+std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only, [[maybe_unused]] bool fine_mesh)
 {
   std::vector<std::unique_ptr<Peer>> all;
   all.push_back(make_footpoint());
@@ -96,6 +96,10 @@ std::vector<std::unique_ptr<Peer>> all_peers(bool ours_only)
 #endif
 #ifdef BENCHMARK_VTK
     all.push_back(make_vtk_locator());
+    if (fine_mesh)
+    {
+      all.push_back(make_fine_vtk_locator());
+    }
 #endif
   }
   return all;

@@ -8,6 +8,11 @@
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
 namespace inversion_benchmark
 {
 namespace
@@ -15,15 +20,22 @@ namespace
 
 constexpr int kQuadrilaterals = 200; // a direction
 constexpr int kSegments = 4000;
+/// A finer mesh has so many times as many a direction, not more than that: millions of triangles.
+constexpr double kFiner = 1.25;
+constexpr int kMost = 2000;
+/// Of every so many cells one is looked at for how far the mesh is off: no divisor of their numbers
+/// in a row.
+constexpr int kLookedAt = 7;
 
 void insert(vtkPoints* points, const Vector3& point)
 {
   points->InsertNextPoint(point.data());
 }
 
-vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Surface& surface)
+/// Quadrilaterals cut into triangles. \param number of quadrilaterals a direction
+vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Surface& surface, int number)
 {
-  const int n = kQuadrilaterals + 1;
+  const int n = number + 1;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> triangles;
@@ -31,8 +43,8 @@ vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Surface& surface)
   {
     for (int i = 0; i < n; ++i)
     {
-      const Parameter<2> at(surface.direction(0).length * i / kQuadrilaterals,
-        surface.direction(1).length * j / kQuadrilaterals);
+      const Parameter<2> at(
+        surface.direction(0).length * i / number, surface.direction(1).length * j / number);
       insert(points, surface.point(at) + surface.centre());
       if (i > 0 && j > 0)
       {
@@ -48,14 +60,14 @@ vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Surface& surface)
   return mesh;
 }
 
-vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Curve& curve)
+vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Curve& curve, int number)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> segments;
-  for (vtkIdType i = 0; i <= kSegments; ++i)
+  for (vtkIdType i = 0; i <= number; ++i)
   {
-    const Parameter<1> at(curve.direction(0).length * static_cast<double>(i) / kSegments);
+    const Parameter<1> at(curve.direction(0).length * static_cast<double>(i) / number);
     insert(points, curve.point(at) + curve.centre());
     if (i > 0)
     {
@@ -68,17 +80,52 @@ vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Curve& curve)
   return mesh;
 }
 
+/// How far the surface is from the mesh: in the middle of some quadrilaterals, from the plane of the
+/// nearer one of the two triangles.
+double error_of(const footpoint::Surface& surface, int number)
+{
+  double largest = 0.0;
+  const auto at = [&](double i, double j)
+  {
+    return surface.point(Parameter<2>(
+      surface.direction(0).length * i / number, surface.direction(1).length * j / number));
+  };
+  for (int k = 0; k < number * number; k += kLookedAt)
+  {
+    const int i = k % number;
+    const int j = k / number;
+    const Vector3 corner = at(i, j);
+    const Vector3 diagonal = at(i + 1.0, j + 1.0) - corner;
+    const Vector3 middle = at(i + 0.5, j + 0.5) - corner;
+    const auto off = [&](const Vector3& third)
+    { return std::abs(middle.dot((third - corner).cross(diagonal).stableNormalized())); };
+    largest = std::max(largest, std::min(off(at(i + 1.0, j)), off(at(i, j + 1.0))));
+  }
+  return largest;
+}
+
 class VtkLocator : public Peer
 {
 public:
-  std::string name() const override { return "VTK locator"; }
+  VtkLocator(std::string name, double accuracy)
+    : Name(std::move(name))
+    , Accuracy(accuracy)
+  {
+  }
+  std::string name() const override { return this->Name; }
   bool exact() const override { return false; }
 
   bool build(const Shape& shape) override
   {
+    int number = shape.surface ? kQuadrilaterals : kSegments;
+    while (shape.surface && number < kMost &&
+      error_of(*shape.surface, number) > this->Accuracy * shape.size())
+    {
+      number = std::min(static_cast<int>(kFiner * number), kMost);
+    }
     this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
     this->Locator->SetDataSet(
-      shape.surface ? tessellate(*shape.surface) : tessellate(*shape.curve));
+      shape.surface ? tessellate(*shape.surface, number) : tessellate(*shape.curve, number));
     this->Locator->BuildLocator();
     return true;
   }
@@ -96,6 +143,8 @@ public:
   }
 
 private:
+  std::string Name;
+  double Accuracy; ///< of the mesh, by the size
   vtkSmartPointer<vtkStaticCellLocator> Locator;
   vtkNew<vtkGenericCell> Cell;
 };
@@ -104,7 +153,12 @@ private:
 
 std::unique_ptr<Peer> make_vtk_locator()
 {
-  return std::make_unique<VtkLocator>();
+  return std::make_unique<VtkLocator>("VTK locator", INFINITY);
+}
+
+std::unique_ptr<Peer> make_fine_vtk_locator()
+{
+  return std::make_unique<VtkLocator>("VTK locator 1e-4", 1e-4);
 }
 
 } // namespace inversion_benchmark

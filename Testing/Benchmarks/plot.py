@@ -23,7 +23,7 @@ MAIN_CLASSES = ("on", "near", "off", "far")
 # Colours that colour-blind readers tell apart (M. Okabe and K. Ito 2008), and shapes for print.
 STYLES = {OURS: ("#d55e00", "o"), BATCH: ("#e69f00", "v"),
           "OCCT": ("#0072b2", "s"), "SISL": ("#009e73", "^"),
-          "VTK locator": ("#cc79a7", "D")}
+          "VTK locator": ("#cc79a7", "D"), "VTK locator 1e-4": ("#56b4e9", "P")}
 TIME = "time a point [µs]"
 # Shades from light to dark for what gets newer or larger, and hatches for print.
 SHADES = (("#f6c9a8", ""), ("#e8915a", "//"), ("#d55e00", ""), ("#7a3600", ""))
@@ -121,6 +121,8 @@ def pieces_legend(axes):
 
 def draw_pieces(axes, rows):
     for program in programs(rows):
+        if not part(rows, "pieces", program):
+            continue  # asked about the shapes alone
         label = f"{program}, 200 × 200 mesh" if program == "VTK locator" else program
         curve(axes, part(rows, "pieces", program), "microseconds", STYLES[program], label=label)
     axes.set(xscale="log", yscale="log", xlabel="Bézier pieces", ylabel=TIME,
@@ -130,8 +132,8 @@ def draw_pieces(axes, rows):
 
 def draw_build(axes, rows):
     for program in programs(rows):
-        if program == BATCH:
-            continue  # built like the other
+        if program == BATCH or not part(rows, "pieces", program):
+            continue  # built like another, or asked about the shapes alone
         shown = part(rows, "pieces", program)
         curve(axes, [row for row in shown if row["build_ms"] > 0], "build_ms", STYLES[program],
               label=program)

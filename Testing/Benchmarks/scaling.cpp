@@ -37,7 +37,7 @@ constexpr double kOffset = 0.5;
 /// Time against number of pieces: points in the order of a scan, half a piece off.
 void measure_pieces(const Settings& settings, std::ostream& progress, Records& records)
 {
-  for (const std::unique_ptr<Peer>& program : all_peers(settings.ours_only))
+  for (const std::unique_ptr<Peer>& program : all_peers(settings.ours_only, false))
   {
     double slowest = 0.0;
     for (const int n : kSheets)
