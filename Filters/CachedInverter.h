@@ -21,11 +21,14 @@ public:
   /// Makes the inverter for the options. Its search structure is built only where the content is
   /// another than last time, or the options ask for one that is not there yet.
   /// \param execution whose threads share the work of building
+  /// \return whether something was built
+  /// \throw Cancelled where the execution's `proceed` says so: the next update builds anew
   /// \throw GeometryError where no face is left; the message has a line for each problem
   /// \throw std::invalid_argument where the method is for curves and the geometry has surfaces
-  void update(
+  bool update(
     const SourceGeometry& geometry, const InversionOptions& options, const Execution& execution);
 
+  /// \pre the last update was not cancelled
   const PointInverter& inverter() const { return *this->Inverter; }
   /// What was wrong with the faces that are not in the model.
   const std::vector<std::string>& problems() const { return this->Problems; }

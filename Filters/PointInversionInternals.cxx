@@ -75,9 +75,20 @@ std::string vtkPointInversionFilter::Internals::InvalidInput(
   return input && output ? InvalidOption(self) : "No input points.";
 }
 
-std::string vtkPointInversionFilter::Internals::Prepare(
-  vtkPointInversionFilter* self, const SourceGeometry& own, const Ranks& ranks)
+footpoint::Execution vtkPointInversionFilter::Internals::Run(
+  vtkPointInversionFilter* self, CancelSignal& cancel, double first, double share)
 {
+  footpoint::Execution result = make_execution(self, first, share);
+  result.proceed = [&cancel, proceed = result.proceed](double fraction)
+  { return !cancel.requested(!proceed(fraction)); };
+  return result;
+}
+
+std::string vtkPointInversionFilter::Internals::Prepare(vtkPointInversionFilter* self,
+  const SourceGeometry& own, const Ranks& ranks, CancelSignal& cancel)
+{
+  // Of the progress, where something is built; how it compares with the points nobody knows.
+  constexpr double kPreparing = 0.3;
   try
   {
     const SourceGeometry geometry = this->Geometry.update(own, ranks);
@@ -85,7 +96,13 @@ std::string vtkPointInversionFilter::Internals::Prepare(
     {
       return "No geometry: neither a source (port 1) nor a parametric function is set.";
     }
-    this->Inverter.update(geometry, Options(self), make_execution(self));
+    const bool built =
+      this->Inverter.update(geometry, Options(self), Run(self, cancel, 0.0, kPreparing));
+    this->Prepared = built ? kPreparing : 0.0;
+    return "";
+  }
+  catch (const footpoint::Cancelled&)
+  {
     return "";
   }
   catch (const footpoint::GeometryError& error)
@@ -108,10 +125,8 @@ void vtkPointInversionFilter::Internals::Invert(vtkPointInversionFilter* self,
 {
   const auto execution = [&](double first, double share)
   {
-    footpoint::Execution result = make_execution(self, first, share);
-    result.proceed = [&cancel, proceed = result.proceed](double fraction)
-    { return !cancel.requested(!proceed(fraction)); };
-    return result;
+    const double left = 1.0 - this->Prepared;
+    return Run(self, cancel, this->Prepared + left * first, left * share);
   };
   const footpoint::PointInverter& inverter = this->Inverter.inverter();
   if (!self->WarmStart)

@@ -32,9 +32,11 @@ struct vtkPointInversionFilter::Internals
   static std::string InvalidInput(
     vtkPointInversionFilter* self, vtkDataObject* input, vtkDataObject* output);
 
-  /// Collective: makes `Inverter` ready for the geometry of all ranks and the options.
+  /// Collective: makes `Inverter` ready for the geometry of all ranks and the options, unless the user,
+  /// here or on another rank, wants to stop.
   /// \return "" or what is wrong
-  std::string Prepare(vtkPointInversionFilter* self, const SourceGeometry& own, const Ranks& ranks);
+  std::string Prepare(vtkPointInversionFilter* self, const SourceGeometry& own, const Ranks& ranks,
+    footpoint::conversion::CancelSignal& cancel);
 
   /// Stops early where the user, here or on another rank, wants it.
   void Invert(vtkPointInversionFilter* self, const footpoint::conversion::PointBlocks& points,
@@ -60,6 +62,12 @@ struct vtkPointInversionFilter::Internals
   }
 
 private:
+  /// Of threads, progress and abort for a part of the work that the user, here or on another rank, can
+  /// stop. \param first, share of the progress
+  static footpoint::Execution Run(vtkPointInversionFilter* self,
+    footpoint::conversion::CancelSignal& cancel, double first, double share);
+
+  double Prepared = 0.0; ///< progress when the inverter was ready
   /// Names the first option that is no usable number or does not go with another; else empty.
   static std::string InvalidOption(vtkPointInversionFilter* self);
 };

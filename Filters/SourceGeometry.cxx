@@ -102,15 +102,22 @@ void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outpu
   }
 }
 
-bool convert_input(
+InputState convert_input(
   vtkAlgorithm* filter, vtkDataObject* input, bool flip, ConvertedModel& converted)
 {
   if (!input)
   {
     vtkErrorWithObjectMacro(filter, "No input geometry.");
-    return false;
+    return InputState::Refused;
   }
-  converted = convert_to_model(input, flip, make_execution(filter));
+  try
+  {
+    converted = convert_to_model(input, flip, make_execution(filter, 0.0, kReading));
+  }
+  catch (const Cancelled&)
+  {
+    return InputState::Aborted;
+  }
   for (const std::string& problem : converted.messages())
   {
     if (converted.empty())
@@ -126,7 +133,7 @@ bool convert_input(
   {
     vtkErrorWithObjectMacro(filter, "The input has no faces.");
   }
-  return !converted.empty();
+  return converted.empty() ? InputState::Refused : InputState::Ready;
 }
 
 } // namespace footpoint::conversion

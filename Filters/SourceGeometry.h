@@ -27,6 +27,7 @@ struct SourceGeometry
   /// By content; functions, whose content cannot be read, by identity and modification time.
   ContentHash hash() const;
   /// Never throws for bad geometry. \param execution whose threads share the trimming of many faces
+  /// \throw Cancelled where its `proceed` says so
   ConvertedModel convert(const Execution& execution) const;
 };
 
@@ -37,10 +38,20 @@ void fill_source_port_information(vtkInformation* info);
 /// run a filter again whose geometry moves while the points stay).
 void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
+/// The part of a filter's progress that reading geometry takes, trimming for the most.
+constexpr double kReading = 0.1;
+
+enum class InputState
+{
+  Ready,
+  Refused, ///< nothing is left, and the filter has told why
+  Aborted  ///< by the user
+};
+
 /// Converts the one input of a filter that makes something else of geometry, and has the filter tell
-/// what is wrong with it: warnings name faces that are left out; where nothing is left, errors.
-/// \return false where nothing is left
-bool convert_input(
+/// what is wrong with it: warnings name faces that are left out; where nothing is left, errors. Its
+/// progress goes from 0 to kReading.
+InputState convert_input(
   vtkAlgorithm* filter, vtkDataObject* input, bool flip, ConvertedModel& converted);
 
 } // namespace footpoint::conversion

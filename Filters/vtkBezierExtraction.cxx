@@ -128,9 +128,11 @@ int vtkBezierExtraction::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
   ConvertedModel converted;
-  if (!convert_input(this, input, false, converted))
+  const InputState state = convert_input(this, input, false, converted);
+  if (state != InputState::Ready)
   {
-    return 0;
+    output->Initialize();
+    return state == InputState::Aborted ? 1 : 0;
   }
   footpoint::Model& model = converted.model;
 
@@ -166,7 +168,8 @@ int vtkBezierExtraction::RequestData(
   }
 
   // === Extract
-  if (!write_bezier_cells(model, make_execution(this).proceed, output))
+  const footpoint::Execution writing = make_execution(this, kReading, 1.0 - kReading);
+  if (!write_bezier_cells(model, writing.proceed, output))
   {
     return 1;
   }

@@ -182,16 +182,30 @@ int vtkPointInversionFilter::RequestData(
   std::string error = ranks.first_error(Internals::InvalidInput(this, input, output));
 
   // === Convert
+  CancelSignal early(this->Controller);
   if (error.empty())
   {
     const SourceGeometry geometry{ vtkDataObject::GetData(inputs[1]), this->ParametricFunction,
       this->FlipNormals };
-    error = ranks.first_error(this->Internal->Prepare(this, geometry, ranks));
+    error = ranks.first_error(this->Internal->Prepare(this, geometry, ranks, early));
   }
+  const auto initialize = [outputs]
+  {
+    for (int port = 0; port < 3; ++port)
+    {
+      vtkDataObject::GetData(outputs, port)->Initialize();
+    }
+  };
+  const bool prepared = !early.settle(ranks);
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
     return 0;
+  }
+  if (!prepared)
+  {
+    initialize();
+    return 1;
   }
   for (const std::string& problem : this->Internal->Inverter.problems())
   {
@@ -217,10 +231,7 @@ int vtkPointInversionFilter::RequestData(
   error = ranks.first_error(error);
   if (cancelled || !error.empty())
   {
-    for (int port = 0; port < 3; ++port)
-    {
-      vtkDataObject::GetData(outputs, port)->Initialize();
-    }
+    initialize();
     if (!error.empty())
     {
       vtkErrorMacro(<< error);

@@ -330,7 +330,10 @@ int vtkSplineEvaluator::RequestData(
     const SourceGeometry geometry = this->Internal->Geometry.update(
       { vtkDataObject::GetData(inputs[1]), this->ParametricFunction, this->FlipNormals }, ranks);
     rows = find_rows(input, this->ParametersArrayName, this->FaceIdArrayName);
-    converted = convert(geometry, make_execution(this));
+    // Evaluating takes a fraction of a second: there is no progress to be seen, and no abort.
+    footpoint::Execution threads;
+    threads.parallel_for = make_execution(this).parallel_for;
+    converted = convert(geometry, threads);
     check_rows(rows, converted.model, this->ParametersArrayName, this->FaceIdArrayName);
   }
   catch (const std::exception& problem)

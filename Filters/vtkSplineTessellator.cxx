@@ -128,9 +128,12 @@ int vtkSplineTessellator::RequestData(
     return 1;
   }
   ConvertedModel converted;
-  if (!convert_input(this, vtkDataObject::GetData(inputs[0]), this->FlipNormals, converted))
+  const InputState state =
+    convert_input(this, vtkDataObject::GetData(inputs[0]), this->FlipNormals, converted);
+  if (state != InputState::Ready)
   {
-    return 0;
+    output->Initialize();
+    return state == InputState::Aborted ? 1 : 0;
   }
 
   // === Compute
@@ -143,7 +146,8 @@ int vtkSplineTessellator::RequestData(
   footpoint::Tessellation result;
   try
   {
-    result = footpoint::tessellate(converted.model, options, make_execution(this));
+    result = footpoint::tessellate(
+      converted.model, options, make_execution(this, kReading, 1.0 - kReading));
   }
   catch (const std::bad_alloc&)
   {

@@ -49,6 +49,7 @@ struct ConvertedModel
 /// \param source     not null
 /// \param flip       reverse the normals of all faces
 /// \param execution  whose threads share the trimming of many faces
+/// \throw Cancelled where its `proceed` says so
 ConvertedModel convert_to_model(vtkDataObject* source, bool flip, const Execution& execution = {});
 
 /// What is said of a face in field data.

@@ -277,3 +277,95 @@ TEST(BuildInThreads, FewItemsStayOnTheCallingThread)
   const PointInverter small(model_of(shapes::bumpy(12, 5, 0.3)), {}, never);
   EXPECT_EQ(small.find(Vector3(0.5, 0.5, 0.5)).status, footpoint::Status::Certified);
 }
+
+namespace
+{
+
+/// Fractions that building a model tells; at the last of `calls` it is cancelled.
+std::vector<double> told_while_building(const Model& model, std::size_t calls, bool& cancelled)
+{
+  std::vector<double> told;
+  Execution execution = in_small_ranges();
+  execution.proceed = [&told, calls](double fraction)
+  {
+    told.push_back(fraction);
+    return told.size() < calls;
+  };
+  cancelled = false;
+  try
+  {
+    const PointInverter inverter(model, {}, execution);
+  }
+  catch (const footpoint::Cancelled&)
+  {
+    cancelled = true;
+  }
+  return told;
+}
+
+} // namespace
+
+TEST(BuildInThreads, TellsProgressAndIsCancelled)
+{
+  Model many;
+  while (many.size() <= 8 * footpoint::kFacesForThreads)
+  {
+    const Model some = many_faces();
+    many.insert(many.end(), some.begin(), some.end());
+  }
+  const Model large = model_of(shapes::bumpy(140, 5, 0.3));
+  for (const Model& model : { many, large })
+  {
+    bool cancelled = false;
+    const std::vector<double> told = told_while_building(model, 1000, cancelled);
+    EXPECT_FALSE(cancelled);
+    ASSERT_GE(told.size(), 8u);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_GT(told.front(), 0.0);
+    EXPECT_LT(told.front(), told.back());
+    EXPECT_GE(told.back(), 0.8); // where there are few pieces they are no long work
+    EXPECT_LE(told.back(), 1.0);
+    for (const std::size_t calls : { std::size_t{ 1 }, told.size() / 2, told.size() })
+    {
+      EXPECT_EQ(told_while_building(model, calls, cancelled).size(), calls);
+      EXPECT_TRUE(cancelled) << calls;
+    }
+  }
+}
+
+TEST(BuildInThreads, ManyItemsAreTakenInBlocks)
+{
+  Execution execution = in_small_ranges();
+  std::vector<double> told;
+  execution.proceed = [&told](double fraction)
+  {
+    told.push_back(fraction);
+    return true;
+  };
+  std::vector<int> visits(100, 0);
+  footpoint::for_ranges(execution, 100, 5,
+    [&visits](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t k = begin; k < end; ++k)
+      {
+        ++visits[k];
+      }
+    });
+  EXPECT_EQ(visits, std::vector<int>(100, 1));
+  EXPECT_EQ(told, (std::vector<double>{ 0.4, 0.8, 1.0 }));
+
+  // What comes after a failure is left out.
+  std::fill(visits.begin(), visits.end(), 0);
+  EXPECT_THROW(footpoint::for_each_index(execution, 100, 5,
+                 [&visits](std::int64_t k)
+                 {
+                   ++visits[k];
+                   if (k == 45)
+                   {
+                     throw std::runtime_error("45");
+                   }
+                 }),
+    std::runtime_error);
+  EXPECT_EQ(std::count(visits.begin(), visits.begin() + 46, 1), 46);
+  EXPECT_EQ(std::count(visits.begin() + 80, visits.end(), 1), 0);
+}

@@ -72,6 +72,44 @@ void TestProgress(vtkDataObject* input, bool warm_start)
   CHECK(filter->GetNumberOfModelBuilds() == 1);
 }
 
+/// Models of many faces take a while to be built: that is seen, and can be stopped.
+void TestBuilding()
+{
+  vtkNew<vtkMultiBlockDataSet> many;
+  for (unsigned int k = 0; k < 300; ++k)
+  {
+    many->SetBlock(k, MakeTorus());
+  }
+  const auto points = MakePoints(RandomPoints(100, 4.0));
+  vtkNew<vtkPointInversionFilter> filter;
+  vtkNew<ProgressWatcher> watcher;
+  filter->AddObserver(vtkCommand::ProgressEvent, watcher);
+  filter->SetInputData(points);
+  filter->SetSourceData(many);
+  for (const double limit : { 0.0, 0.1 })
+  {
+    watcher->AbortAfter = limit;
+    watcher->Steps.clear();
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    filter->Update();
+    const auto after = [limit](double progress) { return progress > limit && progress < 1.0; };
+    CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), after) == 1);
+    CHECK(filter->GetFootPointsOutput()->GetNumberOfPoints() == 0);
+    CHECK(filter->GetNumberOfModelBuilds() == 0);
+  }
+  watcher->AbortAfter = 2.0;
+  watcher->Steps.clear();
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  CHECK(std::is_sorted(watcher->Steps.begin(), watcher->Steps.end()));
+  const auto building = [](double progress) { return progress > 0.0 && progress < 0.3; };
+  CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), building) >= 4);
+  CHECK(filter->GetFootPointsOutput()->GetNumberOfPoints() == 100);
+  CHECK(filter->GetNumberOfModelBuilds() == 1);
+}
+
 } // namespace
 
 int TestAbortAndProgress(int, char*[])
@@ -86,5 +124,6 @@ int TestAbortAndProgress(int, char*[])
       blocks->SetBlock(1, MakePoints(RandomPoints(12000, 4.0, 2)));
       TestProgress(blocks, false);
       TestProgress(blocks, true);
+      TestBuilding();
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footpoint/common/execution.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -9,6 +10,10 @@ namespace footpoint
 {
 namespace
 {
+
+/// Of what is worth threads (some milliseconds), so many times make a block between two looks at
+/// progress.
+constexpr std::int64_t kBlock = 8;
 
 /// The exception that comes first in the order of the work, not of time.
 class FirstFailure
@@ -52,6 +57,15 @@ private:
 
 } // namespace
 
+Execution part_of(const Execution& execution, double first, double share)
+{
+  Execution part;
+  part.parallel_for = execution.parallel_for;
+  part.proceed = [proceed = execution.proceed, first, share](double fraction)
+  { return proceed(first + share * fraction); };
+  return part;
+}
+
 void for_ranges(const Execution& execution, std::int64_t count, std::int64_t fewest,
   const std::function<void(std::int64_t, std::int64_t)>& body)
 {
@@ -60,20 +74,30 @@ void for_ranges(const Execution& execution, std::int64_t count, std::int64_t few
     body(0, count);
     return;
   }
-  FirstFailure failure(count);
-  execution.parallel_for(count,
-    [&](std::int64_t begin, std::int64_t end)
+  const std::int64_t block = fewest > 0 ? kBlock * fewest : count;
+  for (std::int64_t done = 0; done < count; done += block)
+  {
+    const std::int64_t size = std::min(block, count - done);
+    FirstFailure failure(size);
+    execution.parallel_for(size,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        try
+        {
+          body(done + begin, done + end);
+        }
+        catch (...)
+        {
+          failure.take(begin);
+        }
+      });
+    failure.rethrow();
+    const double part = static_cast<double>(done + size) / static_cast<double>(count);
+    if (block < count && !execution.proceed(part))
     {
-      try
-      {
-        body(begin, end);
-      }
-      catch (...)
-      {
-        failure.take(begin);
-      }
-    });
-  failure.rethrow();
+      throw Cancelled();
+    }
+  }
 }
 
 void for_each_index(const Execution& execution, std::int64_t count, std::int64_t fewest,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 
 namespace footpoint
@@ -25,19 +26,33 @@ struct Execution
   std::function<bool(double fraction)> proceed = [](double) { return true; };
 };
 
+/// Thrown where `Execution::proceed` cancels work that has no other result to tell of it.
+class Cancelled : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "cancelled"; }
+};
+
+/// The same threads for a part of a work, whose own fractions from 0 to 1 are told as those from
+/// `first` to `first + share`.
+Execution part_of(const Execution& execution, double first, double share);
+
 /// Edges or faces, each a tenth of a millisecond of work to build something of, from which on they
 /// are shared out among threads.
 constexpr std::int64_t kFacesForThreads = 32;
 
 /// Calls `body(begin, end)` for disjoint ranges that cover [0, count): by parallel_for where there
 /// are `fewest` items at least, else, as starting threads would take longer, for one range on the
-/// calling thread. Where bodies throw, the exception of the range that begins first comes out, when
-/// all are done.
+/// calling thread. More than eight times as many are taken in blocks of so many, after each of which
+/// `proceed` is asked. Where bodies throw, the exception of the range that begins first comes
+/// out, when all of its block are done.
+/// \throw Cancelled where `proceed` says so
 void for_ranges(const Execution& execution, std::int64_t count, std::int64_t fewest,
   const std::function<void(std::int64_t begin, std::int64_t end)>& body);
 
 /// Calls `visit(k)` for each k of [0, count), in the same way. Where some throw, the exception of
 /// the least k comes out, whatever the threads; those after it may be left out.
+/// \throw Cancelled likewise
 void for_each_index(const Execution& execution, std::int64_t count, std::int64_t fewest,
   const std::function<void(std::int64_t k)>& visit);
 

@@ -36,6 +36,9 @@ double extraction_error(int degrees)
   return (8.0 * degrees + 64.0) * 0x1p-53;
 }
 
+/// Progress when all pieces are there, before the rest of what is searched is built from them.
+constexpr double kAtStructure = 0.4;
+
 } // namespace
 
 CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size,
@@ -49,6 +52,8 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     this->Members.end(), [](const Member& member) { return member.edge == nullptr; }));
   DistanceForms forms(std::clamp(
     kPiecesOfModel / std::max<std::size_t>(patches, 1), kFewestPieces, kMostPieces));
+  const Execution forming = part_of(execution, 0.0, kAtStructure);
+  const auto count = static_cast<double>(this->Members.size());
   int degrees = 0;
   for (std::size_t k = 0; k < this->Members.size(); ++k)
   {
@@ -68,7 +73,7 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     else if (const auto* surface = dynamic_cast<const Surface*>(member.patch->surface.get()))
     {
       forms.add(index, *surface, surface->centre() - centre, member.shared.shared,
-        member.region, execution);
+        member.region, part_of(forming, k / count, 1.0 / count));
       degrees = std::max(degrees, surface->knots(0).degree() + surface->knots(1).degree());
       this->TakesPart[k] = true;
     }
@@ -81,7 +86,8 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
   const double wanted = static_cast<double>(kStarts * patches) /
     static_cast<double>(std::max<std::size_t>(forms.pieces().size(), 1));
   this->Parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(wanted))), 1, kMostParts);
-  this->Search = CertifiedSearch(std::move(forms), execution);
+  this->Search = CertifiedSearch(
+    std::move(forms), part_of(execution, kAtStructure, 1.0 - kAtStructure));
 }
 
 void CertifiedFeet::find(const Vector3& point, double limit, double tolerance,

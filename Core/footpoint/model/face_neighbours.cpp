@@ -110,13 +110,13 @@ FaceNeighbours::FaceNeighbours(const Model& model, double size, const Execution&
   : Sewing(kSewing * size)
   , FirstReach(kFirstReach * size)
 {
-  this->add_rims(model, execution);
+  this->add_rims(model, part_of(execution, 0.0, 0.25));
   this->LargestTolerance = this->Tolerances.empty()
     ? this->Sewing
     : *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
-  this->add_parts(size, execution);
-  this->add_vertices(execution);
-  this->count_open_edges(execution);
+  this->add_parts(size, part_of(execution, 0.25, 0.25));
+  this->add_vertices(part_of(execution, 0.5, 0.25));
+  this->count_open_edges(part_of(execution, 0.75, 0.25));
 }
 
 void FaceNeighbours::count_open_edges(const Execution& execution)

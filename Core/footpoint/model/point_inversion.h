@@ -76,7 +76,8 @@ public:
 
   /// \param model      kept alive by shared pointers
   /// \param execution  its threads share the work of building large models; every foot has the same
-  ///                   bits. Its `proceed` is not asked
+  ///                   bits. Small models, which take some ten milliseconds, do not ask its `proceed`
+  /// \throw Cancelled where `proceed` says so
   /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
   /// \throw GeometryError where the loops of a face without a region make none
   explicit PointInverter(
@@ -88,7 +89,7 @@ public:
   /// The same model for queries with other options. Cheap: what the model was built into is shared,
   /// and built anew only where it does not serve the options, see `is_prepared_for`.
   /// \param execution as for the constructor
-  /// \throw std::invalid_argument as the constructor
+  /// \throw as the constructor
   PointInverter with_options(
     const InversionOptions& options, const Execution& execution = {}) const;
   /// Whether queries with these options find everything built: the seed resolution has to be the

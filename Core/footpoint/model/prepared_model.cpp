@@ -14,6 +14,12 @@ namespace
 /// default tolerance of certificates.
 constexpr double kEdgeTolerance = 1e-13;
 
+/// Progress when faces, edges and what meets at them are done: of the time that it takes to build an
+/// assembly of trimmed faces.
+constexpr double kAtEdges = 0.2;
+constexpr double kAtNeighbours = 0.35;
+constexpr double kAtPieces = 0.8;
+
 std::size_t number_of_patches(const Model& model)
 {
   std::size_t count = 0;
@@ -82,9 +88,10 @@ PreparedModel::PreparedModel(
   }
   SeedOptions seeding;
   seeding.resolution = parts.seed_resolution;
-  const Box box = this->add_faces(seeding, execution);
+  const Box box = this->add_faces(seeding, part_of(execution, 0.0, kAtEdges));
   this->Size = (box.upper - box.lower).stableNorm();
-  const std::vector<EdgePieces> edge_pieces = this->add_edges(seeding, execution);
+  const std::vector<EdgePieces> edge_pieces =
+    this->add_edges(seeding, part_of(execution, kAtEdges, kAtNeighbours - kAtEdges));
   std::vector<CertifiedFeet::Member> members;
   for (std::size_t k = 0; k < this->Patches.size(); ++k)
   {
@@ -95,7 +102,8 @@ PreparedModel::PreparedModel(
   this->AtPoles = PoleNormals(this->Faces);
   if (has_neighbours(this->Faces))
   {
-    this->Neighbours.emplace(this->Faces, this->Size, execution);
+    this->Neighbours.emplace(this->Faces, this->Size,
+      part_of(execution, kAtNeighbours, kAtPieces - kAtNeighbours));
   }
   if (parts.pieces)
   {
@@ -103,7 +111,8 @@ PreparedModel::PreparedModel(
     const Vector3 own = first.curve ? first.curve->centre() : first.surface->centre();
     const Vector3 middle = box.lower + 0.5 * (box.upper - box.lower);
     this->Certified.emplace(
-      std::move(members), count == 1 ? own : middle, this->Size, execution);
+      std::move(members), count == 1 ? own : middle, this->Size,
+      part_of(execution, kAtPieces, 1.0 - kAtPieces));
   }
 }
 

@@ -46,7 +46,7 @@ struct PreparedParts
 class PreparedModel
 {
 public:
-  /// \param execution whose threads share the work of building
+  /// \param execution whose threads share the work of building \throw Cancelled by its `proceed`
   PreparedModel(Model model, const PreparedParts& parts, const Execution& execution);
   // Patches point into the model.
   PreparedModel(const PreparedModel&) = delete;

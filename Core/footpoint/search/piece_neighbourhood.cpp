@@ -373,9 +373,9 @@ AlignedVector<PieceNeighbourhood> find_neighbourhoods(
   // What each range has of each patch.
   using Visit =
     void(BlockBuilder&, const DerivativeUnits& units, std::int32_t begin, std::int32_t end);
-  const auto in_patches = [&](const std::function<Visit>& visit)
+  const auto in_patches = [&](const Execution& part, const std::function<Visit>& visit)
   {
-    for_ranges(execution, count, kPiecesForThreads,
+    for_ranges(part, count, kPiecesForThreads,
       [&](std::int64_t begin, std::int64_t end)
       {
         BlockBuilder builder(pieces, bounds.get());
@@ -411,9 +411,10 @@ AlignedVector<PieceNeighbourhood> find_neighbourhoods(
     return result;
   }
   length = std::ldexp(1.0, -exponent); // makes the model's about 1
-  in_patches([](BlockBuilder& builder, const DerivativeUnits& units, std::int32_t begin,
-               std::int32_t end) { builder.bound(units, begin, end); });
-  in_patches(
+  in_patches(part_of(execution, 0.0, 0.5),
+    [](BlockBuilder& builder, const DerivativeUnits& units, std::int32_t begin, std::int32_t end)
+    { builder.bound(units, begin, end); });
+  in_patches(part_of(execution, 0.5, 0.5),
     [&](BlockBuilder& builder, const DerivativeUnits& units, std::int32_t begin, std::int32_t end)
     {
       for (std::int32_t k = begin; k < end; ++k)

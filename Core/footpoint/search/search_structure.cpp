@@ -117,9 +117,9 @@ AlignedVector<TangentPlane> tangent_planes(
 SearchStructure::SearchStructure(DistanceForms pieces, const Execution& execution)
   : forms(std::move(pieces))
   , tree(this->forms.boxes(), execution)
-  , planes(tangent_planes(this->forms.pieces(), execution))
-  , neighbourhoods(find_neighbourhoods(this->forms.pieces(), execution))
-  , outlines(this->forms.pieces(), execution)
+  , planes(tangent_planes(this->forms.pieces(), part_of(execution, 0.2, 0.1)))
+  , neighbourhoods(find_neighbourhoods(this->forms.pieces(), part_of(execution, 0.3, 0.4)))
+  , outlines(this->forms.pieces(), part_of(execution, 0.7, 0.3))
 {
 }
 
