@@ -131,6 +131,31 @@ std::vector<Real> Spline<N>::basis(int direction, int k, Real t) const
   return values;
 }
 
+Vector extrapolated(const std::function<Vector(Real)>& difference, Real step)
+{
+  constexpr int kLevels = 8;
+  std::array<std::array<Vector, kLevels>, kLevels> table;
+  Vector best = Vector::Zero();
+  Real error = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i < kLevels; ++i, step /= 2.0L)
+  {
+    table[i][0] = difference(step);
+    Real factor = 4.0L;
+    for (int j = 1; j <= i; ++j, factor *= 4.0L)
+    {
+      table[i][j] = (factor * table[i][j - 1] - table[i - 1][j - 1]) / (factor - 1.0L);
+      const Real change = std::max(
+        (table[i][j] - table[i][j - 1]).norm(), (table[i][j] - table[i - 1][j - 1]).norm());
+      if (change < error)
+      {
+        error = change;
+        best = table[i][j];
+      }
+    }
+  }
+  return best;
+}
+
 template <int N>
 Vector derivative(const Spline<N>& geometry, const typename Spline<N>::Spans& spans,
   const typename Spline<N>::Parameters& t, const std::array<int, N>& orders, Real step)
@@ -168,27 +193,7 @@ Vector derivative(const Spline<N>& geometry, const typename Spline<N>::Spans& sp
     }
     return Vector(sum / scale);
   };
-  constexpr int kLevels = 7;
-  std::array<std::array<Vector, kLevels>, kLevels> table;
-  Vector best = Vector::Zero();
-  Real error = std::numeric_limits<Real>::infinity();
-  for (int i = 0; i < kLevels; ++i, step /= 2.0L)
-  {
-    table[i][0] = difference(step);
-    Real factor = 4.0L;
-    for (int j = 1; j <= i; ++j, factor *= 4.0L)
-    {
-      table[i][j] = (factor * table[i][j - 1] - table[i - 1][j - 1]) / (factor - 1.0L);
-      const Real change = std::max(
-        (table[i][j] - table[i][j - 1]).norm(), (table[i][j] - table[i - 1][j - 1]).norm());
-      if (change < error)
-      {
-        error = change;
-        best = table[i][j];
-      }
-    }
-  }
-  return best;
+  return extrapolated(difference, step);
 }
 
 template class Spline<1>;

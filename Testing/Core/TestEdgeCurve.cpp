@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -340,41 +339,24 @@ EdgeCurve random_edge(
   return edge_on(surface, { monotone_arc(random, degree, lower, upper, decades) });
 }
 
-/// A derivative of S(c(t)) on the first arc by central differences in long double with
-/// extrapolation (C. J. F. Ridders 1982).
+/// A derivative of S(c(t)) on the first arc by extrapolated central differences in long double.
 oracle::Vector difference(const Judge& judge, Real t, Real length, int order)
 {
   static const std::array<std::vector<Real>, 4> stencils{ { { 0, 1, 0 }, { -0.5L, 0, 0.5L },
     { 1, -2, 1 }, { -0.5L, 1, 0, -1, 0.5L } } };
   const std::vector<Real>& stencil = stencils[order];
   const auto half = static_cast<int>(stencil.size() / 2);
-  constexpr int kLevels = 8;
-  std::array<std::array<oracle::Vector, kLevels>, kLevels> table;
-  oracle::Vector best = oracle::Vector::Zero();
-  Real error = std::numeric_limits<Real>::infinity();
-  Real h = 0.01L * length;
-  for (int i = 0; i < kLevels; ++i, h /= 2.0L)
+  const auto central = [&](Real h)
   {
-    table[i][0].setZero();
+    oracle::Vector sum = oracle::Vector::Zero();
     for (int k = -half; k <= half; ++k)
     {
-      table[i][0] += stencil[k + half] / std::pow(h, static_cast<Real>(order)) *
+      sum += stencil[k + half] / std::pow(h, static_cast<Real>(order)) *
         judge.at_parameter(t + static_cast<Real>(k) * h, 0);
     }
-    Real factor = 4.0L;
-    for (int j = 1; j <= i; ++j, factor *= 4.0L)
-    {
-      table[i][j] = (factor * table[i][j - 1] - table[i - 1][j - 1]) / (factor - 1.0L);
-      const Real change = std::max(
-        (table[i][j] - table[i][j - 1]).norm(), (table[i][j] - table[i - 1][j - 1]).norm());
-      if (change < error)
-      {
-        error = change;
-        best = table[i][j];
-      }
-    }
-  }
-  return best;
+    return sum;
+  };
+  return oracle::extrapolated(central, 0.01L * length);
 }
 
 /// Derivatives against long double differences of S(c(t)), continued beyond the arc's ends; as
