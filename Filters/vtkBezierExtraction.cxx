@@ -171,6 +171,7 @@ int vtkBezierExtraction::RequestData(
   const footpoint::Execution writing = make_execution(this, kReading, 1.0 - kReading);
   if (!write_bezier_cells(model, writing.proceed, output))
   {
+    output->Initialize();
     return 1;
   }
   const std::vector<std::string> units = length_units(input);

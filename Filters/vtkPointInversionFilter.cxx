@@ -193,10 +193,17 @@ int vtkPointInversionFilter::RequestData(
   {
     for (int port = 0; port < 3; ++port)
     {
-      vtkDataObject::GetData(outputs, port)->Initialize();
+      if (vtkDataObject* const data = vtkDataObject::GetData(outputs, port))
+      {
+        data->Initialize();
+      }
     }
   };
   const bool prepared = !early.settle(ranks);
+  if (!prepared || !error.empty())
+  {
+    initialize();
+  }
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
@@ -204,7 +211,6 @@ int vtkPointInversionFilter::RequestData(
   }
   if (!prepared)
   {
-    initialize();
     return 1;
   }
   for (const std::string& problem : this->Internal->Inverter.problems())

@@ -330,7 +330,7 @@ int vtkSplineEvaluator::RequestData(
     const SourceGeometry geometry = this->Internal->Geometry.update(
       { vtkDataObject::GetData(inputs[1]), this->ParametricFunction, this->FlipNormals }, ranks);
     rows = find_rows(input, this->ParametersArrayName, this->FaceIdArrayName);
-    // Evaluating takes a fraction of a second: there is no progress to be seen, and no abort.
+    // Its threads alone: this filter tells no progress and cannot be aborted.
     footpoint::Execution threads;
     threads.parallel_for = make_execution(this).parallel_for;
     converted = convert(geometry, threads);

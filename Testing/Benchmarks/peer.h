@@ -50,7 +50,7 @@ std::unique_ptr<Peer> make_sisl();
 /// 4,000 segments).
 std::unique_ptr<Peer> make_vtk_locator();
 /// The same, with so many more quadrilaterals as keep the mesh within 1e-4 × size of the surface
-/// where those do not.
+/// where those do not. Its time to build has the search for that number in it.
 std::unique_ptr<Peer> make_fine_vtk_locator();
 
 /// Ours, one by one and in batches, and those that were found when this was configured, ours first.

@@ -80,8 +80,8 @@ vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Curve& curve, int numbe
   return mesh;
 }
 
-/// How far the surface is from the mesh: in the middle of some quadrilaterals, from the plane of the
-/// nearer one of the two triangles.
+/// How far the surface is from the mesh, at some quadrilaterals: in their middle, from the plane of
+/// the nearer one of the two triangles, and on two sides, from the plane of the triangle there.
 double error_of(const footpoint::Surface& surface, int number)
 {
   double largest = 0.0;
@@ -97,9 +97,13 @@ double error_of(const footpoint::Surface& surface, int number)
     const Vector3 corner = at(i, j);
     const Vector3 diagonal = at(i + 1.0, j + 1.0) - corner;
     const Vector3 middle = at(i + 0.5, j + 0.5) - corner;
-    const auto off = [&](const Vector3& third)
-    { return std::abs(middle.dot((third - corner).cross(diagonal).stableNormalized())); };
-    largest = std::max(largest, std::min(off(at(i + 1.0, j)), off(at(i, j + 1.0))));
+    const auto normal = [&](const Vector3& third) -> Vector3
+    { return (third - corner).cross(diagonal).stableNormalized(); };
+    const Vector3 one = normal(at(i + 1.0, j));
+    const Vector3 two = normal(at(i, j + 1.0));
+    largest = std::max({ largest, std::min(std::abs(middle.dot(one)), std::abs(middle.dot(two))),
+      std::abs((at(i + 0.5, j) - corner).dot(one)),
+      std::abs((at(i, j + 0.5) - corner).dot(two)) });
   }
   return largest;
 }

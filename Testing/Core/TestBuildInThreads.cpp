@@ -251,7 +251,7 @@ TEST(BuildInThreads, TheLeastFailureComesOutAndAllBeforeItAreVisited)
     };
     try
     {
-      footpoint::for_each_index(execution, 50, 2, visit);
+      footpoint::for_each_index(execution, 50, 7, visit); // all in one block
       ADD_FAILURE() << "nothing came out";
     }
     catch (const std::runtime_error& error)

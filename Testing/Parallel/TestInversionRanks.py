@@ -365,6 +365,32 @@ def test_abort_on_one_rank(controller):
         compare(algorithm, ROWS, first, last, net, controller, "after an abort")
 
 
+def test_abort_while_building(controller):
+    """All ranks stop before the first query, and the next run builds what is missing."""
+    rank = controller.GetLocalProcessId()
+    first, last = share(COUNT, controller)
+    source = blocks(*(make_net(seed, 0.1 * seed) for seed in range(300)))
+    for where in range(controller.GetNumberOfProcesses()):
+        algorithm = make_filter(points_data(ROWS[first:last]), source)
+        told = []
+
+        def stop(caller, _):
+            if 0 < caller.GetProgress() < 0.3 and rank == where:
+                told.append(caller.GetProgress())
+                caller.AbortExecuteOn()
+
+        tag = algorithm.AddObserver("ProgressEvent", stop)
+        algorithm.Update()
+        algorithm.RemoveObserver(tag)
+        assert len(told) == (1 if rank == where else 0), told
+        assert rank != where or algorithm.GetNumberOfModelBuilds() == 0
+        for port in range(2):
+            assert algorithm.GetOutputDataObject(port).GetNumberOfPoints() == 0, "not aborted"
+        algorithm.AbortExecuteOff()
+        algorithm.Modified()
+        compare(algorithm, ROWS, first, last, source, controller, "after an abort")
+
+
 def test_evaluator(controller):
     rank = controller.GetLocalProcessId()
     net = make_net()

@@ -104,21 +104,29 @@ void for_each_index(const Execution& execution, std::int64_t count, std::int64_t
   const std::function<void(std::int64_t)>& visit)
 {
   FirstFailure failure(count);
-  for_ranges(execution, count, fewest,
-    [&](std::int64_t begin, std::int64_t end)
+  const auto visit_range = [&](std::int64_t begin, std::int64_t end)
+  {
+    for (std::int64_t k = begin; k < end && !failure.is_before(k); ++k)
     {
-      for (std::int64_t k = begin; k < end && !failure.is_before(k); ++k)
+      try
       {
-        try
-        {
-          visit(k);
-        }
-        catch (...)
-        {
-          failure.take(k);
-        }
+        visit(k);
       }
-    });
+      catch (...)
+      {
+        failure.take(k);
+      }
+    }
+  };
+  try
+  {
+    for_ranges(execution, count, fewest, visit_range);
+  }
+  catch (const Cancelled&)
+  {
+    failure.rethrow(); // what is wrong tells more
+    throw;
+  }
   failure.rethrow();
 }
 

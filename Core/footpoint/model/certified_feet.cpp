@@ -54,6 +54,7 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     kPiecesOfModel / std::max<std::size_t>(patches, 1), kFewestPieces, kMostPieces));
   const Execution forming = part_of(execution, 0.0, kAtStructure);
   const auto count = static_cast<double>(this->Members.size());
+  std::size_t told = 0;
   int degrees = 0;
   for (std::size_t k = 0; k < this->Members.size(); ++k)
   {
@@ -80,6 +81,14 @@ CertifiedFeet::CertifiedFeet(std::vector<Member> members, const Vector3& centre,
     else
     {
       this->Complete = false;
+    }
+    if (forms.pieces().size() >= told + kPiecesForThreads)
+    {
+      told = forms.pieces().size();
+      if (!forming.proceed((k + 1) / count))
+      {
+        throw Cancelled();
+      }
     }
   }
   this->ExtractionError = 2.0 * extraction_error(degrees);

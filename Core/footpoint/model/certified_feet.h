@@ -31,7 +31,7 @@ public:
   /// \param members the patches that are splines take part; the others are passed over
   /// \param centre  of the model; queries are measured from there
   /// \param size    of the model
-  /// \param execution whose threads share the work of building
+  /// \param execution whose threads share the work of building \throw Cancelled by its `proceed`
   CertifiedFeet(std::vector<Member> members, const Vector3& centre, double size,
     const Execution& execution = {});
 

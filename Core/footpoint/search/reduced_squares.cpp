@@ -98,7 +98,7 @@ void multiply_rows(const NumberRows& left, const double* right, int stride, Numb
   }
 }
 
-/// The greatest of all a − b, in rows of as many vectors as a has. \param stride of b
+/// The greatest of all a − b, whose rows are padded by their last numbers. \param stride of b
 double greatest_difference(const NumberRows& a, const double* b, int stride)
 {
   const hn::CappedTag<double, 4> tag;

@@ -9,7 +9,7 @@
 namespace footpoint
 {
 
-/// Numbers in rows, each padded by zeros to a multiple of four.
+/// Numbers in rows, each padded to a multiple of four, by zeros where nothing else is said.
 struct NumberRows
 {
   int rows = 0;
@@ -77,7 +77,7 @@ private:
   Operator Interpolating; ///< coefficients from samples
   Operator RaisingNet;    ///< to the degree of the result
   Operator RaisingForm;   ///< from the degree of Q to that of w Σ B_k w_k a_k
-  Operator RaisingResult; ///< of a polynomial to the degree of Q
+  Operator RaisingResult; ///< of a polynomial to the degree of Q, rows padded as those of a form
   NumberRows Divisors;    ///< binomial coefficients of w Σ B_k w_k a_k
 
   std::array<NumberRows, 4> Net;
