@@ -81,7 +81,8 @@ vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Curve& curve, int numbe
 }
 
 /// How far the surface is from the mesh, at some quadrilaterals: in their middle, from the plane of
-/// the nearer one of the two triangles, and on two sides, from the plane of the triangle there.
+/// the nearer one of the two triangles, and on two sides, from the plane of the triangle there; and on
+/// the surface's own sides, from the edge of the mesh.
 double error_of(const footpoint::Surface& surface, int number)
 {
   double largest = 0.0;
@@ -104,6 +105,16 @@ double error_of(const footpoint::Surface& surface, int number)
     largest = std::max({ largest, std::min(std::abs(middle.dot(one)), std::abs(middle.dot(two))),
       std::abs((at(i + 0.5, j) - corner).dot(one)),
       std::abs((at(i, j + 0.5) - corner).dot(two)) });
+  }
+  const auto off_edge = [](const Vector3& from, const Vector3& middle, const Vector3& to)
+  { return (middle - from).cross((to - from).stableNormalized()).norm(); };
+  for (int k = 0; k < number; ++k)
+  {
+    for (const int end : { 0, number })
+    {
+      largest = std::max({ largest, off_edge(at(k, end), at(k + 0.5, end), at(k + 1.0, end)),
+        off_edge(at(end, k), at(end, k + 0.5), at(end, k + 1.0)) });
+    }
   }
   return largest;
 }

@@ -54,7 +54,8 @@ def programs(rows):
 
 
 def legend_above(axes):
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(STYLES), frameon=False)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=(len(STYLES) + 1) // 2,
+                frameon=False)
 
 
 def finish(figure, axes, path):
