@@ -38,8 +38,7 @@ SmoothingResult smooth(
   }
   // Untangling may have to follow: the last part of the progress is its own.
   const double first_part = automatic ? kSmoothingPart : 1.0;
-  Execution first = execution;
-  first.proceed = [&](double fraction) { return execution.proceed(first_part * fraction); };
+  const Execution first = part_of(execution, 0.0, first_part);
   SmoothingResult result = options.method == Smoothing::Laplacian
     ? laplacian_smoothing(grid, options, first)
     : winslow_smoothing(grid, options, first);
