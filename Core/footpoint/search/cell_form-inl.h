@@ -169,7 +169,7 @@ public:
   void add(double factor, const double (*a)[kMostPoints], const double (*b)[kMostPoints],
     CellPolynomial& sum) const
   {
-    const hn::CappedTag<double, 8> tag;
+    const hn::CappedTag<double, kMostLanes> tag;
     const int lanes = static_cast<int>(hn::Lanes(tag));
     for (int i = 0; i <= this->P; ++i)
     {

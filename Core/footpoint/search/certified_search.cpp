@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled once for each set of vector instructions; the best that the processor has is taken at run
-// time. SSSE3 would add nothing to SSE4 here. AVX-512 is a tenth slower than AVX2: most of a query is
-// arithmetic on single numbers, which has a port less for as long as vectors of 512 bits are under way.
-// (The bits of all sets beyond AVX2 are below its own.)
-#ifndef FOOTPOINT_TARGETS_LEFT_OUT // a build's own
-#define FOOTPOINT_TARGETS_LEFT_OUT 0
-#endif
-#define HWY_DISABLED_TARGETS (FOOTPOINT_TARGETS_LEFT_OUT | HWY_SSSE3 | (HWY_AVX2 - 1))
+// Compiled once for each set of vector instructions.
+#include "footpoint/search/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "footpoint/search/certified_search.cpp"
 #include <hwy/foreach_target.h>

@@ -30,7 +30,7 @@ constexpr int kMostNumbers = (2 * kMaximumDegree + 8) / 8 * 8;
 template <int P, int Q>
 HWY_NOINLINE double raised_form(const PieceQuery& query, double constant, double* target)
 {
-  const hn::CappedTag<double, 8> tag;
+  const hn::CappedTag<double, kMostLanes> tag;
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(tag)); // of one size wherever this compiles
   constexpr int kMostRows = (P >= 0 ? P : kMaximumDegree) + 1;
   constexpr int kMostColumns = Q >= 0 ? (2 * Q + 8) / 8 * 8 : kMostNumbers;
@@ -95,7 +95,7 @@ inline double distance_form(const PieceQuery& query, double constant, double* ta
     return with_shape(shape,
       [&](auto p, auto q, auto) { return raised_form<p(), q()>(query, constant, target); });
   }
-  const hn::CappedTag<double, 8> tag;
+  const hn::CappedTag<double, kMostLanes> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const auto x = hn::Set(tag, -2.0 * query.p[0]);
   const auto y = hn::Set(tag, -2.0 * query.p[1]);
@@ -128,7 +128,7 @@ struct Slopes
 /// \param error a first difference beyond this has its sign in exact numbers
 inline Slopes slopes_of(const PieceShape& shape, const double* f, double error)
 {
-  const hn::CappedTag<double, 8> tag;
+  const hn::CappedTag<double, kMostLanes> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const auto infinite = hn::Set(tag, kInfinity);
   const auto minus = hn::Set(tag, -kInfinity);
@@ -190,7 +190,7 @@ inline Slopes slopes_of(const PieceShape& shape, const double* f, double error)
 /// \param error of a second difference, and of the rounding here
 inline bool is_convex(const PieceShape& shape, const double* f, double error)
 {
-  const hn::CappedTag<double, 8> tag;
+  const hn::CappedTag<double, kMostLanes> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const int n = shape.rows - 1;
   const int m = shape.columns - 1;
@@ -282,7 +282,7 @@ inline bool is_convex(const PieceShape& shape, const double* f, double error)
 /// \return the smallest coefficient of either half
 inline Pair halve(const PieceShape& shape, double* f, int direction, double* upper)
 {
-  const hn::CappedTag<double, 8> tag;
+  const hn::CappedTag<double, kMostLanes> tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const int stride = shape.stride;
   auto least = hn::Set(tag, kInfinity);

@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// One number of each query of a packet.
+/// One number of each query of a packet, as many as the processor's vectors hold.
 struct Lanes
 {
   using Tag = hn::CappedTag<double, 8>;

@@ -34,6 +34,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr double kRounding = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Numbers in a vector of a form. Between forms a query is arithmetic on single numbers, which many
+/// processors have a port less for as long as vectors of 512 bits are under way. Boxes, and several queries at
+/// once (packet_descent-inl.h), are vectors alone, and take the widest.
+constexpr int kMostLanes = 4;
+
 using Pair = std::array<double, 2>;
 using Triple = std::array<double, 3>;
 

@@ -204,7 +204,7 @@ bool Finder::is_positive_from(const PieceShape& shape, const Pair& t)
       const int size = shape.form_size;
       double* f = this->coefficients(0, size + Form::size_of_memory(n, m));
       double* memory = f + size;
-      const hn::CappedTag<double, kWidth> tag;
+      const hn::CappedTag<double, kMostLanes> tag;
       auto greatest = hn::Zero(tag);
       for (int k = 0; k < size; k += static_cast<int>(hn::Lanes(tag)))
       {

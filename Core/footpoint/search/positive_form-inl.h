@@ -143,7 +143,7 @@ private:
   static constexpr bool kIsSquare = N > 0 && N == M;
   static constexpr int kWidth = kIsLine ? 1 : Width;
   static constexpr int kMostRows = N >= 0 && M >= 0 ? std::max(N, M) + 1 : 2 * kMaximumDegree + 1;
-  using Tag = hn::CappedTag<double, kWidth>;
+  using Tag = hn::CappedTag<double, std::min(kWidth, kMostLanes)>;
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag())); // of one size wherever this compiles
 
   static HWY_INLINE int stride_of(int degree) { return (degree + kWidth) / kWidth * kWidth; }

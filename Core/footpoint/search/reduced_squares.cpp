@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled once for each set of vector instructions, as certified_search.cpp is.
-#ifndef FOOTPOINT_TARGETS_LEFT_OUT // a build's own
-#define FOOTPOINT_TARGETS_LEFT_OUT 0
-#endif
-#define HWY_DISABLED_TARGETS (FOOTPOINT_TARGETS_LEFT_OUT | HWY_SSSE3 | HWY_AVX3_DL)
+// Compiled once for each set of vector instructions.
+#include "footpoint/search/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "footpoint/search/reduced_squares.cpp"
 #include <hwy/foreach_target.h>
