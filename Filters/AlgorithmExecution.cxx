@@ -53,8 +53,9 @@ int cores_of_machine(int own_cores)
 
 using Loop = std::function<void(std::int64_t, std::int64_t)>;
 
-/// Ranges that each thread gets on average where nothing else is asked for. The back end STDThread would
-/// make four, and threads that are done with theirs wait for the others, which may have the harder points.
+/// Ranges that each thread gets on average where nothing else is asked for. The back end STDThread
+/// would make four, and threads that are done with theirs wait for the others, which may have the
+/// harder points.
 constexpr std::int64_t kRangesOfThread = 16;
 
 std::int64_t usual_grain(std::int64_t count)

@@ -22,7 +22,8 @@ public:
   /// another than last time, or the options ask for one that is not there yet.
   /// \param execution whose threads share the work of building
   /// \return whether something was built
-  /// \throw Cancelled where the execution's `proceed` says so: what is missing the next update builds
+  /// \throw Cancelled where the execution's `proceed` says so: what is missing the next update
+  ///        builds
   /// \throw GeometryError where no face is left; the message has a line for each problem
   /// \throw std::invalid_argument where the method is for curves and the geometry has surfaces
   bool update(

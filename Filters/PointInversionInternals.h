@@ -32,8 +32,8 @@ struct vtkPointInversionFilter::Internals
   static std::string InvalidInput(
     vtkPointInversionFilter* self, vtkDataObject* input, vtkDataObject* output);
 
-  /// Collective: makes `Inverter` ready for the geometry of all ranks and the options, unless the user,
-  /// here or on another rank, wants to stop.
+  /// Collective: makes `Inverter` ready for the geometry of all ranks and the options, unless the
+  /// user, here or on another rank, wants to stop.
   /// \return "" or what is wrong
   std::string Prepare(vtkPointInversionFilter* self, const SourceGeometry& own, const Ranks& ranks,
     footpoint::conversion::CancelSignal& cancel);
@@ -62,8 +62,8 @@ struct vtkPointInversionFilter::Internals
   }
 
 private:
-  /// Of threads, progress and abort for a part of the work that the user, here or on another rank, can
-  /// stop. \param first, share of the progress
+  /// Of threads, progress and abort for a part of the work that the user, here or on another rank,
+  /// can stop. \param first, share of the progress
   static footpoint::Execution Run(vtkPointInversionFilter* self,
     footpoint::conversion::CancelSignal& cancel, double first, double share);
 

@@ -34,8 +34,8 @@ struct SourceGeometry
 /// Port 1: spline geometry, optional.
 void fill_source_port_information(vtkInformation* info);
 
-/// Tells of the time steps of both inputs (the executive passes on those of port 0 alone, and would not
-/// run a filter again whose geometry moves while the points stay).
+/// Tells of the time steps of both inputs (the executive passes on those of port 0 alone, and would
+/// not run a filter again whose geometry moves while the points stay).
 void merge_time_steps(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 /// The part of a filter's progress that reading geometry takes, trimming for the most.
@@ -48,9 +48,9 @@ enum class InputState
   Aborted  ///< by the user
 };
 
-/// Converts the one input of a filter that makes something else of geometry, and has the filter tell
-/// what is wrong with it: warnings name faces that are left out; where nothing is left, errors. Its
-/// progress goes from 0 to kReading.
+/// Converts the one input of a filter that makes something else of geometry, and has the filter
+/// tell what is wrong with it: warnings name faces that are left out; where nothing is left,
+/// errors. Its progress goes from 0 to kReading.
 InputState convert_input(
   vtkAlgorithm* filter, vtkDataObject* input, bool flip, ConvertedModel& converted);
 

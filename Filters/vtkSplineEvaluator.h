@@ -27,7 +27,8 @@
  *
  * Parameters outside the domain are wrapped in closed directions and clamped in open ones. Rows
  * with a NaN or infinite parameter, or a `FaceId` that is no face, make no output point, as no
- * position would be right; the field data `NumberOfSkippedPoints` says how many, of all ranks together.
+ * position would be right; the field data `NumberOfSkippedPoints` says how many, of all ranks
+ * together.
  *
  * @sa
  * vtkPointInversionFilter
@@ -71,9 +72,9 @@ public:
 
   ///@{
   /**
-   * The ranks that run this filter together; null: this one alone. As in vtkPointInversionFilter, each
-   * evaluates its own rows on the geometry of all. Default: the global controller of the time when the
-   * filter was made.
+   * The ranks that run this filter together; null: this one alone. As in vtkPointInversionFilter,
+   * each evaluates its own rows on the geometry of all. Default: the global controller of the time
+   * when the filter was made.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

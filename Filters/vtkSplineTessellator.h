@@ -22,13 +22,13 @@
  * `Parameters`, the active texture coordinates, are (u, 0).
  *
  * With Adaptive the distance between the geometry and its triangles or lines is kept within
- * ChordTolerance by bounds of the second derivatives, not by samples. For lines that is a proof. For
- * triangles it is one but for their slope, by which what lies beside the normal counts: it is
- * measured at their corners, with a margin. Where borders of faces meet (as near as 1e-6 of the size
- * of the model, or the field data `Tolerance` of a face) their points have the same coordinates, bit
- * for bit, and may be off by as much more; vtkCleanPolyData with tolerance 0 makes a closed mesh of
- * a closed solid. Points are not shared between faces, nor between the two sides of a seam or of a
- * kink, where parameters or normals differ.
+ * ChordTolerance by bounds of the second derivatives, not by samples. For lines that is a proof.
+ * For triangles it is one but for their slope, by which what lies beside the normal counts: it is
+ * measured at their corners, with a margin. Where borders of faces meet (as near as 1e-6 of the
+ * size of the model, or the field data `Tolerance` of a face) their points have the same
+ * coordinates, bit for bit, and may be off by as much more; vtkCleanPolyData with tolerance 0 makes
+ * a closed mesh of a closed solid. Points are not shared between faces, nor between the two sides
+ * of a seam or of a kink, where parameters or normals differ.
  *
  * A face that cannot be triangulated (its loops cross themselves, or it is thinner than the
  * tolerances) is left out, and a warning names it. Results have the same bits for any number of

@@ -22,7 +22,8 @@ struct CompleteReading
 };
 
 /// Runs the reading process. Where it crashes at a face it is run again without that face, which is
-/// skipped then, unless more than the time limit has gone; where it dies after the faces, what has come until then is kept, with a warning.
+/// skipped then, unless more than the time limit has gone; where it dies after the faces, what has
+/// come until then is kept, with a warning.
 /// \param time_limit seconds of silence
 CompleteReading read_completely(const ReadingOptions& options, double time_limit,
   const std::function<void(double)>& progress, const std::function<bool()>& aborted);

@@ -151,7 +151,8 @@ int vtkCADReader::RequestData(
                   << (model.skipped_faces.empty() ? "" : "; ")
                   << (model.skipped_faces.empty() ? "" : label("face", model.skipped_faces.front()))
                   << (model.skipped_edges.empty() ? "" : "; ")
-                  << (model.skipped_edges.empty() ? "" : label("edge", model.skipped_edges.front())));
+                  << (model.skipped_edges.empty() ? ""
+                                                  : label("edge", model.skipped_edges.front())));
     return 0;
   }
   for (const SkippedPart& face : model.skipped_faces)

@@ -4,17 +4,17 @@
  * @brief   STEP, IGES and BREP files as exact geometry
  *
  * Reads CAD files through Open CASCADE: STEP, IGES and BREP (text and binary), told apart by their
- * content, also where gzip has compressed them. Assemblies are flattened; every face and edge stands
- * where the file puts it.
+ * content, also where gzip has compressed them. Assemblies are flattened; every face and edge
+ * stands where the file puts it.
  *
  * **Output 0**: vtkPolyData, triangles for the screen, with the point normals of the exact surfaces
  * (outward on solids), the cell array `FaceId` (the numbers of output 1) and, where the file gives
  * colours, `Colors` (unsigned char, 3; 204 grey for faces without).
  *
- * **Output 1**: the exact model, a vtkMultiBlockDataSet as vtkPointInversionFilter takes it, a block
- * a face, its number being the FaceId. A face is a control net (vtkStructuredGrid) or, where trim
- * loops keep a part of the surface, a vtkMultiBlockDataSet of `Surface`, `Loop 0`, `Loop 1`, …, in
- * which counter-clockwise loops keep their inside. Field data of the surface's net:
+ * **Output 1**: the exact model, a vtkMultiBlockDataSet as vtkPointInversionFilter takes it, a
+ * block a face, its number being the FaceId. A face is a control net (vtkStructuredGrid) or, where
+ * trim loops keep a part of the surface, a vtkMultiBlockDataSet of `Surface`, `Loop 0`, `Loop 1`,
+ * …, in which counter-clockwise loops keep their inside. Field data of the surface's net:
  *
  * | array            | meaning                                                                   |
  * |------------------|---------------------------------------------------------------------------|
@@ -26,14 +26,14 @@
  * | `LengthUnit`     | unit of all lengths, e.g. "mm"                                            |
  *
  * **Output 2**: the edges, a vtkMultiBlockDataSet of curves (control nets with `KnotsU`), each edge
- * of the model once, with the field data `EdgeId`, `Tolerance`, `FaceIds` (the faces that it borders)
- * and `LengthUnit`. Degenerate edges (poles) are no curves and use up their EdgeId.
+ * of the model once, with the field data `EdgeId`, `Tolerance`, `FaceIds` (the faces that it
+ * borders) and `LengthUnit`. Degenerate edges (poles) are no curves and use up their EdgeId.
  *
- * Planes, cylinders, cones, spheres, tori, extrusions, revolutions, Bézier and B-spline surfaces are
- * converted exactly; offset surfaces and others are approximated to 1e-9 of the face's size, with a
- * warning and a larger `Tolerance`. A parameter along a circle is that of the rational B-spline,
- * not the angle; both agree at knots. Trim curves that run neither along u nor along v on such a
- * surface are approximated to 1e-13 of the face's size.
+ * Planes, cylinders, cones, spheres, tori, extrusions, revolutions, Bézier and B-spline surfaces
+ * are converted exactly; offset surfaces and others are approximated to 1e-9 of the face's size,
+ * with a warning and a larger `Tolerance`. A parameter along a circle is that of the rational
+ * B-spline, not the angle; both agree at knots. Trim curves that run neither along u nor along v on
+ * such a surface are approximated to 1e-13 of the face's size.
  *
  * A face that cannot be converted is named in a warning and uses up its number as an empty block. A
  * file that cannot be read is an error, and so is one without any face or edge.

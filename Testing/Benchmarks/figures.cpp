@@ -239,7 +239,8 @@ void ratio(std::ostream& out, const Records& records, const std::string& ours,
   }
   if (!all.empty())
   {
-    row(out, peer + ", mean of the four classes, " + what + of_ours, "≥ " + number(aim) + " × faster",
+    row(out, peer + ", mean of the four classes, " + what + of_ours,
+      "≥ " + number(aim) + " × faster",
       number(least) + " × (" + where + "), median " + number(median(all)) + " ×", least >= aim);
   }
 }

@@ -81,8 +81,8 @@ vtkSmartPointer<vtkPolyData> tessellate(const footpoint::Curve& curve, int numbe
 }
 
 /// How far the surface is from the mesh, at some quadrilaterals: in their middle, from the plane of
-/// the nearer one of the two triangles, and on two sides, from the plane of the triangle there; and on
-/// the surface's own sides, from the edge of the mesh.
+/// the nearer one of the two triangles, and on two sides, from the plane of the triangle there; and
+/// on the surface's own sides, from the edge of the mesh.
 double error_of(const footpoint::Surface& surface, int number)
 {
   double largest = 0.0;

@@ -45,7 +45,8 @@ Records measure_vector_targets(const Settings& settings, std::ostream& progress)
     return records;
   }
   const Shape sheet = bumpy_sheet(40);
-  const std::unique_ptr<Peer> ours = make_footpoint_batch(); // which has more to do for wide vectors
+  // In one call there is more to do for wide vectors.
+  const std::unique_ptr<Peer> ours = make_footpoint_batch();
   ours->build(sheet);
   Settings one_pass = settings;
   one_pass.repeats = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Signed distances of the solids of CAD files against Open CASCADE's classifier of points and, where that
-// disagrees, against rays through its exact faces. Set in the environment
+// Signed distances of the solids of CAD files against Open CASCADE's classifier of points and,
+// where that disagrees, against rays through its exact faces. Set in the environment
 //   FOOTPOINT_CAD_QUERIES  how many queries are made, half of them (4000 by default)
 //   FOOTPOINT_TRIM_SEED    other queries: any number, 1 by default
 
@@ -47,8 +47,8 @@ struct SolidTally
 constexpr int kRays = 400;
 constexpr double kMostRays = 0.9;
 
-/// What rays in all directions say of a point: the number of faces that each meets is odd inside. A few
-/// pass an edge so near that they miss or meet both faces; the classifier relies on one ray.
+/// What rays in all directions say of a point: the number of faces that each meets is odd inside. A
+/// few pass an edge so near that they miss or meet both faces; the classifier relies on one ray.
 enum class RayVerdict
 {
   Inside,

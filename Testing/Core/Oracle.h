@@ -64,13 +64,14 @@ private:
   Eigen::Matrix<Real, Eigen::Dynamic, 1> Weights;
 };
 
-/// The limit of central differences for a step that goes to zero, by Richardson extrapolation (C. J.
-/// F. Ridders 1982) from several steps, the first one given.
+/// The limit of central differences for a step that goes to zero, by Richardson extrapolation
+/// (C. J. F. Ridders 1982) from several steps, the first one given.
 Vector extrapolated(const std::function<Vector(Real)>& difference, Real step);
 
 /// Derivatives of order a (in u) and b (in v; 0 on curves) of the piece on the given spans, by
-/// extrapolated central differences; the continued piece is evaluated, so that one-sided derivatives
-/// at knots are central ones here. \param step first step as a fraction of the span's length
+/// extrapolated central differences; the continued piece is evaluated, so that one-sided
+/// derivatives at knots are central ones here. \param step first step as a fraction of the span's
+/// length
 template <int N>
 Vector derivative(const Spline<N>& geometry, const typename Spline<N>::Spans& spans,
   const typename Spline<N>::Parameters& t, const std::array<int, N>& orders, Real step = 0.02L);

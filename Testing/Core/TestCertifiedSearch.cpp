@@ -139,7 +139,8 @@ TEST(CertifiedSearch, OnePieceOfAnySize)
   }
 }
 
-/// Squares of single precision lose their digits, then all they are, far from the end of its own range.
+/// Squares of single precision lose their digits, then all they are, far from the end of its own
+/// range.
 TEST(CertifiedSearch, BoxesWhoseSquaresAreTiny)
 {
   constexpr int kFaces = 40;

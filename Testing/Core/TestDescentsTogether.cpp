@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Queries that are searched together have their descents made in the lanes of one vector: every foot
-/// has to have the bits that it has alone.
+/// Queries that are searched together have their descents made in the lanes of one vector: every
+/// foot has to have the bits that it has alone.
 
 #include "FuzzGeometry.h"
 #include "Inversion.h"
@@ -58,7 +58,8 @@ void expect_same_bits(std::uint64_t seed, int& certified)
 
 } // namespace
 
-/// Degrees 1 to 9, weights, knots of any multiplicity, collapsed sides; with all vector instructions.
+/// Degrees 1 to 9, weights, knots of any multiplicity, collapsed sides; with all vector
+/// instructions.
 TEST(DescentsTogether, HaveTheBitsOfThoseAlone)
 {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())

@@ -118,8 +118,9 @@ double coefficient_error(const Piece& piece)
   return static_cast<double>(worst);
 }
 
-/// The distance form of a piece for a query as far from it as its size times a power of ten, the largest
-/// difference over what is allowed: (W2 coefficient) × roundings × what the terms are at the most.
+/// The distance form of a piece for a query as far from it as its size times a power of ten, the
+/// largest difference over what is allowed: (W2 coefficient) × roundings × what the terms are at
+/// the most.
 double distance_form_error(shapes::Random& random, const Piece& piece)
 {
   const PieceShape& shape = *piece.shape;
@@ -252,7 +253,8 @@ TEST(DistanceForms, FormsOfQueriesAreWithinTheirBound)
   }
 }
 
-/// Coefficients of a polynomial as a form has them, where reads a few numbers beyond either end may go.
+/// Coefficients of a polynomial as a form has them, where reads a few numbers beyond either end may
+/// go.
 struct Coefficients
 {
   static constexpr int kBeside = 16;
@@ -340,8 +342,8 @@ TEST(DistanceForms, HalvesAreThePolynomialItself)
   }
 }
 
-/// Quadratic polynomials, some of them saddles: what is called convex or monotone has to be so, and most of
-/// what is has to be called so.
+/// Quadratic polynomials, some of them saddles: what is called convex or monotone has to be so, and
+/// most of what is has to be called so.
 TEST(DistanceForms, SignsOfDerivativesOfQuadraticPolynomials)
 {
   shapes::Random random(42);
@@ -398,8 +400,8 @@ TEST(DistanceForms, SignsOfDerivativesOfQuadraticPolynomials)
   EXPECT_GT(monotone, 300);
 }
 
-/// u² + 2 b u v + v²: all second differences along a direction are D, all mixed ones M, so the matrices stay
-/// positive definite up to the error e where n (n − 1) (D − e) = n² (|M| + e).
+/// u² + 2 b u v + v²: all second differences along a direction are D, all mixed ones M, so the
+/// matrices stay positive definite up to the error e where n (n − 1) (D − e) = n² (|M| + e).
 TEST(DistanceForms, ConvexityHasRoomForTheErrorThatIsNamed)
 {
   const PieceShape shape(3, 3, false);
@@ -427,8 +429,9 @@ TEST(DistanceForms, ConvexityHasRoomForTheErrorThatIsNamed)
   EXPECT_EQ(slopes_of(line, steep.data(), 2.001).monotone, -1);
 }
 
-/// Random coefficients about those of a bowl, of several degrees: the second derivatives differ from place to
-/// place, and what is called convex has to be so at samples, with room for the error that was named.
+/// Random coefficients about those of a bowl, of several degrees: the second derivatives differ
+/// from place to place, and what is called convex has to be so at samples, with room for the error
+/// that was named.
 TEST(DistanceForms, WhatIsCalledConvexIsConvex)
 {
   shapes::Random random(43);
@@ -460,8 +463,8 @@ TEST(DistanceForms, WhatIsCalledConvexIsConvex)
       }
       ++called;
       EXPECT_TRUE(is_convex(shape, f.data(), 0.0));
-      // Derivatives have the differences of coefficients as their own, so a coefficient that is off by a
-      // quarter of what a second difference may be off has to leave it convex.
+      // Derivatives have the differences of coefficients as their own, so a coefficient that is off
+      // by a quarter of what a second difference may be off has to leave it convex.
       Coefficients moved(shape, [&](int i, int j)
         { return value(i, j) + 0.25 * error * ((i + j) % 2 == 0 ? 1.0 : -1.0); });
       for (Coefficients* each : { &f, &moved })
@@ -478,7 +481,8 @@ TEST(DistanceForms, WhatIsCalledConvexIsConvex)
           // Differences are off by their step squared.
           const Real room = 1e-6L * (uu + vv) * (uu + vv);
           EXPECT_GT(uu, 0.0L);
-          EXPECT_GT(uu * vv - uv * uv, -room) << degree[0] << ' ' << degree[1] << ", twist " << twist;
+          EXPECT_GT(uu * vv - uv * uv, -room)
+            << degree[0] << ' ' << degree[1] << ", twist " << twist;
         }
       }
     }

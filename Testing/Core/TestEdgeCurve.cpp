@@ -585,8 +585,8 @@ TEST(EdgeCurve, RefusesWhatIsNoCurve)
   EXPECT_THROW(edge_on(shapes::triangle(), { line(0, 0, 0, 1) }), footpoint::GeometryError);
 }
 
-/// x = u (u − ¼) (u − ½) (u − ¾) (u − 1) along an edge of the strip: it passes through its start at every
-/// quarter of its parameter.
+/// x = u (u − ¼) (u − ½) (u − ¾) (u − 1) along an edge of the strip: it passes through its start at
+/// every quarter of its parameter.
 TEST(EdgeCurve, AnEdgeThatReturnsToItsStartHasASize)
 {
   Points points = Points::Zero(3, 12);

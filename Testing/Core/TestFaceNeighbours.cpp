@@ -59,8 +59,8 @@ Face triangle(const Vector3& a, const Vector3& b, const Vector3& c, Loops loops,
   return face;
 }
 
-/// Distances from slender and flat tetrahedra are negative inside alone: where three faces meet at a
-/// sharp corner their normals have to be weighted by the angles.
+/// Distances from slender and flat tetrahedra are negative inside alone: where three faces meet at
+/// a sharp corner their normals have to be weighted by the angles.
 void expect_signs(Loops loops)
 {
   shapes::Random random(5);

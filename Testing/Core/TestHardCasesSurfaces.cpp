@@ -181,7 +181,8 @@ TEST(HardCaseS6, ContinuaEndWhereTheQueryLeavesTheCentre)
     EXPECT_FALSE(is_isolated(shapes::sphere(), off * way)) << off;
     EXPECT_FALSE(is_isolated(shapes::torus(), Vector3(3, 0, 0) + off * way)) << off;
   }
-  // … also where it is far away beside the size, or of many pieces, whose second derivatives round more …
+  // … also where it is far away beside the size, or of many pieces, whose second derivatives round
+  // more …
   const Vector3 height(0, 0, 0.3);
   EXPECT_FALSE(is_isolated(shapes::cylinder(1000.0, 0.06, 1), height));
   EXPECT_FALSE(is_isolated(shapes::cylinder(100.0, 0.6, 4), height));

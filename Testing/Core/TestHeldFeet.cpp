@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Feet where the parametrization stands still, poles and cusps, which are taken as they are where the
-/// distance rises to all sides: judged by points around them and by descents on the whole surface.
+/// Feet where the parametrization stands still, poles and cusps, which are taken as they are where
+/// the distance rises to all sides: judged by points around them and by descents on the whole
+/// surface.
 
 #include "SlowBuild.h"
 #include "SurfaceFeet.h"
@@ -29,8 +30,8 @@ namespace
 
 constexpr int kShare = kSlowBuild ? 5 : 1;
 
-/// A bicubic fan of 3 pieces around a corner where all of one side is one point, seen from there about
-/// along x.
+/// A bicubic fan of 3 pieces around a corner where all of one side is one point, seen from there
+/// about along x.
 Surface fan(Random& random, int collapsed, bool rational)
 {
   constexpr int across = 5;

@@ -36,11 +36,11 @@ constexpr std::uint64_t kTieQueries = kSlowBuild ? 60 : 10000;
 constexpr std::uint64_t kQueriesPerGeometry = kSlowBuild ? 6 : 100;
 
 /// A known shortfall: bilinear strips and collapsed sides with weights that alternate by 10⁶ leave
-/// pieces so steep that descents stall and the work runs out before there is a proof; the search says
-/// so, and of those queries a few feet are not the nearest. Usual are 0.2 % unproved (one geometry of a
-/// shard may hold most of them), and of 760,000 queries eleven too far by at most 2e-8. At most this part
-/// of the queries may be unproved, this part of them all too far, and by no more than this part of the
-/// size. What is certified is never wrong.
+/// pieces so steep that descents stall and the work runs out before there is a proof; the search
+/// says so, and of those queries a few feet are not the nearest. Usual are 0.2 % unproved (one
+/// geometry of a shard may hold most of them), and of 760,000 queries eleven too far by at most
+/// 2e-8. At most this part of the queries may be unproved, this part of them all too far, and by no
+/// more than this part of the size. What is certified is never wrong.
 constexpr double kUncertified = 0.01;
 constexpr double kUncertifiedTooFar = 0.001;
 constexpr double kUncertifiedExcess = 1e-7;
@@ -246,8 +246,8 @@ void conclude(const Tally& tally)
 {
   const double queries = static_cast<double>(tally.queries);
   const double uncertified = static_cast<double>(tally.queries - tally.certified) / queries;
-  std::cout << tally.queries << " queries: " << tally.too_far << " too far, " << tally.unproved_too_far
-            << " unproved and a little too far, " << tally.misplaced
+  std::cout << tally.queries << " queries: " << tally.too_far << " too far, "
+            << tally.unproved_too_far << " unproved and a little too far, " << tally.misplaced
             << " misplaced, " << tally.wrongly_certified << " wrongly certified; "
             << tally.not_converged << " not converged, " << 100.0 * uncertified
             << " % not certified, " << tally.oracle_beaten
@@ -267,7 +267,8 @@ void conclude(const Tally& tally)
   EXPECT_EQ(tally.hanging, 0u);
   // Steep weights may leave a foot whose residual is above its floor; that must stay rare.
   EXPECT_LE(static_cast<double>(tally.not_converged), std::max(5.0, 0.01 * queries));
-  EXPECT_LE(static_cast<double>(tally.unproved_too_far), std::max(5.0, kUncertifiedTooFar * queries));
+  EXPECT_LE(
+    static_cast<double>(tally.unproved_too_far), std::max(5.0, kUncertifiedTooFar * queries));
   EXPECT_LE(static_cast<double>(tally.queries - tally.certified),
     std::max(100.0, kUncertified * queries));
 }

@@ -178,7 +178,8 @@ TEST(RationalDerivatives, SpeedIsTheLeastOverThePiece)
       {
         const std::array<Vector, 2> first =
           derivatives(piece, units, { { sample / 6 / 5.0L, sample % 6 / 5.0L } });
-        // The symmetric part of the derivatives by the block's parameters, and its lower eigenvalue.
+        // The symmetric part of the derivatives by the block's parameters, and its lower
+        // eigenvalue.
         Eigen::Matrix<Real, 2, 2> part;
         for (int i = 0; i < 2; ++i)
         {

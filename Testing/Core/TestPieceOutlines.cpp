@@ -75,8 +75,8 @@ struct Outlined
 /// Roundings of single precision, of what is made of a few numbers up to the greatest.
 constexpr Real kSingle = 0x1p-21L;
 
-/// The numbers themselves: no larger than said, control points of the piece, and squares that are nowhere
-/// above |S − c|². \return by how much they are below on the average, over the greatest
+/// The numbers themselves: no larger than said, control points of the piece, and squares that are
+/// nowhere above |S − c|². \return by how much they are below on the average, over the greatest
 Real judge_numbers(Random& random, const Piece& piece, const PieceOutline& outline)
 {
   const Outlined one{ piece, outline };
@@ -168,7 +168,8 @@ void judge_query(const Piece& piece, const PieceOutline& outline, const Vector& 
   double corner = 0.0;
   const int nearest = view.nearest_corner(piece.shape->rational, corner);
   const Real unit = outline.unit;
-  const Real above = 0x1p-18L * unit * (2.0L * r.lpNorm<1>() * outline.longest + unit * outline.greatest) +
+  const Real above =
+    0x1p-18L * unit * (2.0L * r.lpNorm<1>() * outline.longest + unit * outline.greatest) +
     0x1p-47L * far * r.lpNorm<1>();
   for (int k = 0; k < PieceOutline::kCorners; ++k)
   {

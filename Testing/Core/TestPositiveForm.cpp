@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What is called positive has to be, and most of what is has to be called so: polynomials in Bernstein
-/// form whose sign is known or is sampled in long double.
+/// What is called positive has to be, and most of what is has to be called so: polynomials in
+/// Bernstein form whose sign is known or is sampled in long double.
 
 #include "BlockJudge.h"
 #include "RandomPieces.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Loops that cross, touch or overlap each other or themselves: only what bounds the kept region is an
-// edge. Closed forms, and an oracle by brute force. Set in the environment
-//   FOOTPOINT_TRIM_QUERIES  how many queries are made of random faces (3000 by default, 1000 in slow
+// Loops that cross, touch or overlap each other or themselves: only what bounds the kept region is
+// an edge. Closed forms, and an oracle by brute force. Set in the environment
+//   FOOTPOINT_TRIM_QUERIES  how many queries are made of random faces (3000 by default, 1000 in
+//   slow
 //                           builds)
 //   FOOTPOINT_TRIM_SEED     other faces: any number, 1 by default
 
@@ -52,7 +53,8 @@ void expect_foot(const Foot& foot, const Vector3& point, FootType type, Status s
   EXPECT_NEAR((foot.point - point).norm(), 0.0, 1e-12) << foot.point.transpose();
 }
 
-/// The arcs of a region that bound a face, the length of all of them in (u, v), and what is undecided.
+/// The arcs of a region that bound a face, the length of all of them in (u, v), and what is
+/// undecided.
 struct Boundary
 {
   double length = 0.0;
@@ -99,7 +101,8 @@ TEST(TrimCrossings, HoleAcrossTheOuterLoop)
   EXPECT_EQ(foot.type, FootType::Vertex);
   expect_foot(inverter.find({ 0.75, 0.5, 0 }), { 0.7, 0.5, 0 }, FootType::Edge, Status::Certified);
   expect_foot(inverter.find({ 0.9, 0.7, 0 }), { 0.8, 0.7, 0 }, FootType::Edge, Status::Certified);
-  expect_foot(inverter.find({ 0.6, 0.5, 1 }), { 0.6, 0.5, 0 }, FootType::Interior, Status::Certified);
+  expect_foot(
+    inverter.find({ 0.6, 0.5, 1 }), { 0.6, 0.5, 0 }, FootType::Interior, Status::Certified);
   EXPECT_EQ(inverter.number_of_open_edges(), 6); // four sides, one in two parts, and the arc's
 }
 
@@ -195,7 +198,8 @@ TEST(TrimCrossings, SharedStretches)
   const std::vector<TrimLoop> filled{ all, reversed(disc), half };
   expect_boundary(filled, 3.2 + 0.3 * kPi + 0.6);
   const PointInverter inverter = flat_with(filled);
-  expect_foot(inverter.find({ 0.2, 0.5, 1 }), { 0.2, 0.5, 0 }, FootType::Interior, Status::Certified);
+  expect_foot(
+    inverter.find({ 0.2, 0.5, 1 }), { 0.2, 0.5, 0 }, FootType::Interior, Status::Certified);
   expect_foot(inverter.find({ 0.6, 0.5, 0 }), { 0.5, 0.5, 0 }, FootType::Edge, Status::Certified);
 }
 
@@ -288,8 +292,8 @@ TEST(TrimCrossings, StripsAsThinAsRounding)
   }
 }
 
-/// Lines over gaps of a few roundings have no sides of their own: they are edges where their neighbours
-/// are.
+/// Lines over gaps of a few roundings have no sides of their own: they are edges where their
+/// neighbours are.
 TEST(TrimCrossings, GapsAsSmallAsRounding)
 {
   for (const double gap : { 8e-15, 1.2e-14, 2e-14, 5e-14, 1e-12 })
@@ -406,8 +410,8 @@ TEST(TrimCrossings, RandomLoops)
     {
       loops.push_back(trims::moved(surface, loop));
     }
-    // A clockwise loop around all others would keep what is outside of it, as no winding number says.
-    // Which loop is the largest may be a near tie: many corners tell.
+    // A clockwise loop around all others would keep what is outside of it, as no winding number
+    // says. Which loop is the largest may be a near tie: many corners tell.
     double largest = 0.0;
     for (const TrimLoop& loop : loops)
     {
@@ -430,8 +434,8 @@ TEST(TrimCrossings, RandomLoops)
       EXPECT_NE(std::string(error.what()).find("keep nothing"), std::string::npos) << error.what();
     }
   }
-  std::cout << faces << " faces, " << undecided << " of them with arcs that are undecided: " << tally
-            << "\n";
+  std::cout << faces << " faces, " << undecided
+            << " of them with arcs that are undecided: " << tally << "\n";
   EXPECT_EQ(tally.wrong(), 0u);
   EXPECT_LE(static_cast<double>(tally.uncertified), 1.0 + 2e-3 * queries);
   EXPECT_LE(undecided, 1 + faces / 50);

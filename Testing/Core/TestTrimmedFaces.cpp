@@ -71,7 +71,8 @@ TEST(TrimmedFaces, OpenEdgesAreCounted)
   EXPECT_EQ(
     PointInverter(model_of(shapes::cylinder(10.0, 360.0, 4))).number_of_open_edges(), 2);
   // Two squares side by side have one border in common.
-  EXPECT_EQ(PointInverter(model_of(trims::flat(0, 1), trims::flat(1, 2))).number_of_open_edges(), 6);
+  EXPECT_EQ(
+    PointInverter(model_of(trims::flat(0, 1), trims::flat(1, 2))).number_of_open_edges(), 6);
 }
 
 /// A second face farther away than the trimmed one; the box of its control points holds the point
@@ -225,8 +226,8 @@ TEST(TrimmedFaces, TheEdgeOfASmallGapCounts)
     trims::polyline({ { 0.9, 0 }, { 0.9, 1 - 5e-10 } }),
     trims::polyline({ { 0.9 - 1e-10, 1 }, { 0, 1 } }), trims::polyline({ { 0, 1 }, { 0, 0 } }) };
   const PointInverter inverter({ trimmed(trims::flat(), { loop }) });
-  expect_foot(
-    inverter.find({ 1.9, 2, 0 }), { 0.9 - 1e-10, 1, 0 }, std::hypot(1 + 1e-10, 1), FootType::Vertex);
+  expect_foot(inverter.find({ 1.9, 2, 0 }), { 0.9 - 1e-10, 1, 0 }, std::hypot(1 + 1e-10, 1),
+    FootType::Vertex);
 }
 
 /// A trimmed face at random: wild control points and weights, loops that are stars.

@@ -235,8 +235,8 @@ void TestArrays()
   source->SetResolution(5, 3);
   source->SetParametrizationToArcLengthRecorded();
   source->Update();
-  for (vtkPointSet* data :
-    { static_cast<vtkPointSet*>(source->GetOutput()), static_cast<vtkPointSet*>(source->GetMeshOutput()) })
+  for (vtkPointSet* data : { static_cast<vtkPointSet*>(source->GetOutput()),
+         static_cast<vtkPointSet*>(source->GetMeshOutput()) })
   {
     vtkPointData* points = data->GetPointData();
     CHECK(points->GetNormals() == points->GetArray("Normals"));

@@ -136,7 +136,8 @@ void TestEdges()
 
 void TestLeftHanded()
 {
-  const auto block = Block([](double u, double v, double w) { return Twisted(1 - u, v, w); }, 3, 3, 3);
+  const auto block =
+    Block([](double u, double v, double w) { return Twisted(1 - u, v, w); }, 3, 3, 3);
   vtkNew<vtkTransfiniteVolume> volume;
   for (int face = 0; face < 6; ++face)
   {

@@ -43,9 +43,9 @@ constexpr std::int64_t kFacesForThreads = 32;
 
 /// Calls `body(begin, end)` for disjoint ranges that cover [0, count): by parallel_for where there
 /// are `fewest` items at least, else, as starting threads would take longer, for one range on the
-/// calling thread. More than eight times as many are taken in blocks of so many, after each of which
-/// `proceed` is asked; where `fewest` is 0 all are one block, and it is not. Where bodies throw, the
-/// exception of the range that begins first comes out, when all of its block are done.
+/// calling thread. More than eight times as many are taken in blocks of so many, after each of
+/// which `proceed` is asked; where `fewest` is 0 all are one block, and it is not. Where bodies
+/// throw, the exception of the range that begins first comes out, when all of its block are done.
 /// \throw Cancelled where `proceed` says so
 void for_ranges(const Execution& execution, std::int64_t count, std::int64_t fewest,
   const std::function<void(std::int64_t begin, std::int64_t end)>& body);

@@ -162,8 +162,8 @@ std::vector<std::vector<std::int32_t>> orders_of_blocks(
   return orders;
 }
 
-/// Workspaces of the ranges that threads work on, kept for the next ones: memory that goes back to the
-/// system comes back page by page.
+/// Workspaces of the ranges that threads work on, kept for the next ones: memory that goes back to
+/// the system comes back page by page.
 class Workspaces
 {
 public:

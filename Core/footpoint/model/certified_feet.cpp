@@ -18,7 +18,8 @@ namespace
 /// piece, since there the sides differ (a gap even has two points).
 constexpr double kInside = 1e-6;
 
-/// Pieces that cutting may make of all patches together, and of one: about 1.7 KB each where bicubic.
+/// Pieces that cutting may make of all patches together, and of one: about 1.7 KB each where
+/// bicubic.
 constexpr std::size_t kPiecesOfModel = 65536;
 constexpr std::size_t kFewestPieces = 4;
 constexpr std::size_t kMostPieces = 1024;

@@ -80,8 +80,8 @@ public:
   /// away from the query.
   bool plain_kink_foot(const PieceFoot& one, const PieceFoot& two, Foot& foot) const;
 
-  /// Whether what was found is one place where the parametrization stands still, a pole or the line of
-  /// a cusp, from which the distance rises to all sides: a minimum of the whole patch.
+  /// Whether what was found is one place where the parametrization stands still, a pole or the line
+  /// of a cusp, from which the distance rises to all sides: a minimum of the whole patch.
   bool is_held(const CertifiedAnswer& answer) const;
 
 private:

@@ -63,8 +63,8 @@ public:
     }
   }
 
-  /// Sums of each group. What Sums does must not depend on the order in which values come or sums of
-  /// some of them are put together.
+  /// Sums of each group. What Sums does must not depend on the order in which values come or sums
+  /// of some of them are put together.
   /// \param take void(Sums& sums, std::size_t group, double value)
   template <class Sums, class Take>
   std::vector<Sums> sums(const Take& take) const

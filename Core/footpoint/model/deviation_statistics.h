@@ -30,8 +30,8 @@ struct DeviationStatistics
 ///
 /// All results have the same bits whatever the order of the points and however they are shared out
 /// among threads and processes: sums are exact until they are rounded (see ExactSum), and the
-/// percentile is found digit by digit from counts, with no number sent elsewhere. Beside the numbers
-/// it takes a fixed amount of memory.
+/// percentile is found digit by digit from counts, with no number sent elsewhere. Beside the
+/// numbers it takes a fixed amount of memory.
 class Deviations
 {
 public:

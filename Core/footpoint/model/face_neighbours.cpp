@@ -342,8 +342,8 @@ std::vector<FaceNeighbours::Passage> FaceNeighbours::passages(
   return result;
 }
 
-/// Within a small reach first, since a large tolerance is no reason to take an edge for its end; where
-/// no other face is met, farther, up to the tolerances.
+/// Within a small reach first, since a large tolerance is no reason to take an edge for its end;
+/// where no other face is met, farther, up to the tolerances.
 FaceNeighbours::Meeting FaceNeighbours::meeting(const Vector3& point, int face) const
 {
   Meeting result;

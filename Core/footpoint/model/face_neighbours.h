@@ -21,10 +21,10 @@ constexpr double kSewing = 1e-6;
 /// patch of the face: its borders, where it is known that no two of them meet.
 std::int64_t number_of_open_sides(const Model& model);
 
-/// Which faces of a model meet at their borders, found by distance, so that distances from edges and
-/// vertices get their sign: of the sum of the normals of all faces that meet there, each weighted by
-/// the angle that the face fills (J. A. Bærentzen and H. Aanæs 2005). Built once; const and
-/// thread-safe.
+/// Which faces of a model meet at their borders, found by distance, so that distances from edges
+/// and vertices get their sign: of the sum of the normals of all faces that meet there, each
+/// weighted by the angle that the face fills (J. A. Bærentzen and H. Aanæs 2005). Built once; const
+/// and thread-safe.
 class FaceNeighbours
 {
 public:
@@ -35,8 +35,8 @@ public:
   /// The weighted sum at a point on the border of a face; zero where no other border meets there.
   Vector3 pseudonormal(const Vector3& point, int face) const;
 
-  /// Borders of faces without a neighbour in their middle or, where they have kinks, in the middles of
-  /// up to eight of their smooth parts: 0 on a closed solid.
+  /// Borders of faces without a neighbour in their middle or, where they have kinks, in the middles
+  /// of up to eight of their smooth parts: 0 on a closed solid.
   std::int64_t number_of_open_edges() const { return this->OpenEdges; }
 
 private:

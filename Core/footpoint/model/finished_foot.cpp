@@ -59,8 +59,8 @@ void PointInverter::Implementation::settle_shared_border(Foot& foot, const Vecto
   foot.type = orthogonal ? FootType::Interior : FootType::Kink;
 }
 
-/// The sign of the distance from an edge or a vertex, where the faces that meet there decide, or from
-/// a pole inside a face.
+/// The sign of the distance from an edge or a vertex, where the faces that meet there decide, or
+/// from a pole inside a face.
 void PointInverter::Implementation::settle_sign(Foot& foot, const Vector3& point) const
 {
   const FaceNeighbours* neighbours = this->Prepared->neighbours();

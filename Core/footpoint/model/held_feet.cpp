@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The members of CertifiedFeet that tell whether a foot where the parametrization stands still, a pole or
-// the line of a cusp, is a minimum of the whole patch: then no descent has to look for a way on.
+// The members of CertifiedFeet that tell whether a foot where the parametrization stands still, a
+// pole or the line of a cusp, is a minimum of the whole patch: then no descent has to look for a
+// way on.
 #include "footpoint/model/certified_feet.h"
 
 #include "footpoint/model/plain_conditions.h"
@@ -27,9 +28,9 @@ bool CertifiedFeet::is_held(const CertifiedAnswer& answer) const
     (answer.count == 2 && this->is_held_at_cusp(answer.feet[0], answer.feet[1]));
 }
 
-/// With A = wS and S₀ the pole, (A − S₀ w)_i = Σ_j n B_j(t) w_j (P_j − S₀) across the collapsed side,
-/// inwards, for the row of control points P_j beside it: where all of them lie on the far side, E rises
-/// in all directions in which the surface leaves the pole.
+/// With A = wS and S₀ the pole, (A − S₀ w)_i = Σ_j n B_j(t) w_j (P_j − S₀) across the collapsed
+/// side, inwards, for the row of control points P_j beside it: where all of them lie on the far
+/// side, E rises in all directions in which the surface leaves the pole.
 bool CertifiedFeet::is_held_at_pole(const CertifiedAnswer& answer) const
 {
   if (answer.count == 0)
@@ -63,7 +64,8 @@ bool CertifiedFeet::is_held_at_pole(const CertifiedAnswer& answer) const
   return std::abs(covered - around) <= kWholeSide * around;
 }
 
-/// Whether a side is one point, up to rounding, and all control points next to it lie away from the query.
+/// Whether a side is one point, up to rounding, and all control points next to it lie away from the
+/// query.
 bool CertifiedFeet::rises_beside(const PieceFoot& foot, int across, int end) const
 {
   const Piece& piece = this->Search.piece(foot.piece);
@@ -85,8 +87,8 @@ bool CertifiedFeet::rises_beside(const PieceFoot& foot, int across, int end) con
   {
     const Vector3 way = way_to(end == 0 ? 1 : last - 1, k);
     const double length = way.norm();
-    if (!(way_to(end == 0 ? 0 : last, k).norm() <= kPlainResidual * this->Size && length > shortest &&
-          offset.dot(way) > steep * length))
+    if (!(way_to(end == 0 ? 0 : last, k).norm() <= kPlainResidual * this->Size &&
+          length > shortest && offset.dot(way) > steep * length))
     {
       return false;
     }

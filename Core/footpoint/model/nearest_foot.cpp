@@ -62,8 +62,8 @@ bool PointInverter::Implementation::settles(const PatchQuery& query, const Candi
     !search.isolated(query.point, foot);
 }
 
-/// Whether a foot on a patch is one on its face: no trim loop leaves it out, and where it lies on an
-/// edge it is the nearest point near it, in the face as well.
+/// Whether a foot on a patch is one on its face: no trim loop leaves it out, and where it lies on
+/// an edge it is the nearest point near it, in the face as well.
 bool PointInverter::Implementation::counts(
   const PatchQuery& query, const Candidate& candidate) const
 {
@@ -165,8 +165,8 @@ bool PointInverter::Implementation::certifies() const
     !this->wants_lines();
 }
 
-/// Whether feet on a patch are points of its face for certain: not on edges where loops meet in a way
-/// that does not tell what is kept.
+/// Whether feet on a patch are points of its face for certain: not on edges where loops meet in a
+/// way that does not tell what is kept.
 bool PointInverter::Implementation::is_known(std::size_t patch) const
 {
   const EdgeCurve* edge = this->Patches[patch].edge;

@@ -16,8 +16,8 @@ constexpr double kPlainCurvature = 1e-5;
 /// … and where the sine between S_u and S_v is above this.
 constexpr double kPlainSine = 1e-6;
 
-/// Two pieces' feet on the line between them are one point where they are no farther apart than this part
-/// of the pieces.
+/// Two pieces' feet on the line between them are one point where they are no farther apart than
+/// this part of the pieces.
 constexpr double kOnePlace = 1e-9;
 
 } // namespace footpoint

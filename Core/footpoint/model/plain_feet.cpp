@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The members of CertifiedFeet that fill in what a foot is where a look at its own derivatives is enough.
+// The members of CertifiedFeet that fill in what a foot is where a look at its own derivatives is
+// enough.
 #include "footpoint/model/certified_feet.h"
 
 #include "footpoint/model/plain_conditions.h"

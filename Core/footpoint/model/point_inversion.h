@@ -76,7 +76,8 @@ public:
 
   /// \param model      kept alive by shared pointers
   /// \param execution  its threads share the work of building large models; every foot has the same
-  ///                   bits. Small models, which take some ten milliseconds, do not ask its `proceed`
+  ///                   bits. Small models, which take some ten milliseconds, do not ask its
+  ///                   `proceed`
   /// \throw Cancelled where `proceed` says so
   /// \throw std::invalid_argument where the model has surfaces and the method is for curves only
   /// \throw GeometryError where the loops of a face without a region make none
@@ -109,7 +110,8 @@ public:
   Foot find(const Vector3& point, const Start& start = {}) const;
   Foot find(const Vector3& point, const Start& start, Workspace& workspace) const;
 
-  /// The feet of several points, the same bits as one by one: sooner where they are near each other.
+  /// The feet of several points, the same bits as one by one: sooner where they are near each
+  /// other.
   /// \param points one a column
   /// \param starts empty, or one for each point
   /// \param feet   receives one for each point

@@ -14,8 +14,8 @@ namespace
 /// default tolerance of certificates.
 constexpr double kEdgeTolerance = 1e-13;
 
-/// Progress when faces, edges and what meets at them are done: of the time that it takes to build an
-/// assembly of trimmed faces.
+/// Progress when faces, edges and what meets at them are done: of the time that it takes to build
+/// an assembly of trimmed faces.
 constexpr double kAtEdges = 0.2;
 constexpr double kAtNeighbours = 0.35;
 constexpr double kAtPieces = 0.8;
@@ -36,7 +36,8 @@ bool has_neighbours(const Model& model)
   const auto surfaces = std::count_if(model.begin(), model.end(),
     [](const Face& face) { return !face.patches.empty() && face.patches.front().surface; });
   return surfaces > 1 ||
-    std::any_of(model.begin(), model.end(), [](const Face& face) { return face.region != nullptr; });
+    std::any_of(
+      model.begin(), model.end(), [](const Face& face) { return face.region != nullptr; });
 }
 
 /// Throws here, not in the middle of a query.

@@ -62,7 +62,10 @@ public:
   const PoleNormals& pole_normals() const { return this->AtPoles; }
 
   /// Null where no two faces can meet.
-  const FaceNeighbours* neighbours() const { return this->Neighbours ? &*this->Neighbours : nullptr; }
+  const FaceNeighbours* neighbours() const
+  {
+    return this->Neighbours ? &*this->Neighbours : nullptr;
+  }
 
   /// The patches in the order of faces, searched with these options.
   std::vector<PreparedPatch> patches(const InversionOptions& options) const;

@@ -138,8 +138,8 @@ Vector3 FaceNeighbours::pseudonormal(const Vector3& point, int face) const
   return vertex ? vertex->pseudonormal : this->weighted_normals(this->meeting(point, face));
 }
 
-/// Adds where a rim arrives at the point and where it leaves it, at an end or a kink; false where it
-/// passes smoothly. What is no longer than the reach between two kinks is one of them.
+/// Adds where a rim arrives at the point and where it leaves it, at an end or a kink; false where
+/// it passes smoothly. What is no longer than the reach between two kinks is one of them.
 bool FaceNeighbours::add_ends(const Meeting& meeting, const Passage& passage,
   std::vector<Passage>& arriving, std::vector<Passage>& leaving) const
 {

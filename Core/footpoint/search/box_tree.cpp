@@ -57,8 +57,8 @@ private:
     std::int32_t box;
   };
 
-  /// Two parts along the axis in which the middles of the boxes spread most, as even as they come in
-  /// multiples of a number of boxes.
+  /// Two parts along the axis in which the middles of the boxes spread most, as even as they come
+  /// in multiples of a number of boxes.
   std::array<Range, 2> split(Range range, std::size_t multiple);
   /// What the children of a node hold.
   std::vector<Range> children(Range range);

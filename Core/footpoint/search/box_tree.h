@@ -15,8 +15,8 @@ namespace footpoint
 using Corners = std::array<Vector3, 2>;
 
 /// A hierarchy of axis-parallel boxes, sixteen children a node: a few vector operations ask all of
-/// them, and there are few levels, each of which waits for the one before. Corners are kept in single
-/// precision, rounded outward. Built once; const.
+/// them, and there are few levels, each of which waits for the one before. Corners are kept in
+/// single precision, rounded outward. Built once; const.
 class BoxTree
 {
 public:

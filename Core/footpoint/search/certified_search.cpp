@@ -40,7 +40,8 @@ void find_nearest(const SearchStructure& structure, const CertifiedQuery& query,
   finder.finish();
 }
 
-/// Searches that wait for descents: those on the same piece are made together, then each search goes on.
+/// Searches that wait for descents: those on the same piece are made together, then each search
+/// goes on.
 void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* queries, int count,
   SearchWorkspace& workspace, CertifiedAnswer* answers)
 {
@@ -63,7 +64,8 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
     if (waits)
     {
       waiting[left++] =
-        static_cast<std::uint64_t>(finder->pending().query.index) * CertifiedSearch::kTogether + number;
+        static_cast<std::uint64_t>(finder->pending().query.index) * CertifiedSearch::kTogether +
+        number;
     }
     else
     {
@@ -73,7 +75,8 @@ void find_all_nearest(const SearchStructure& structure, const CertifiedQuery* qu
   for (int k = 0; k < count; ++k)
   {
     const auto number = static_cast<std::uint64_t>(k);
-    Finder* finder = new (memory_of(number)) Finder(structure, queries[k], k, workspace, answers[k]);
+    Finder* finder =
+      new (memory_of(number)) Finder(structure, queries[k], k, workspace, answers[k]);
     wait_or_finish(finder, number, finder->start());
   }
   while (left > 0)

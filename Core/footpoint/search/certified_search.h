@@ -95,13 +95,14 @@ struct CertifiedAnswer
 /// Branch and bound over Bézier pieces. First the search: boxes nearest first; where the
 /// coefficients of a piece's distance form do not exclude it, Newton's method finds the minimum of
 /// the piece. A foot near the query settles the pieces around it at once (piece_neighbourhood.h).
-/// Then the proof, for the other pieces that were not excluded, under the smallest distance found: a
-/// cell holds nothing nearer where
+/// Then the proof, for the other pieces that were not excluded, under the smallest distance found:
+/// a cell holds nothing nearer where
 ///   - all coefficients of F are positive; or
 ///   - F is monotone along a direction and the side in question holds nothing nearer; or
 ///   - F is convex and its tangent plane at one point is positive over the cell;
-/// otherwise it is halved. Cells that resist have their form taken anew relative to the foot, less the
-/// square of the coordinate that is steepest. Documentation/CertifiedSearch.md derives all margins.
+/// otherwise it is halved. Cells that resist have their form taken anew relative to the foot, less
+/// the square of the coordinate that is steepest. Documentation/CertifiedSearch.md derives all
+/// margins.
 class CertifiedSearch
 {
 public:
@@ -120,8 +121,8 @@ public:
 
   void find(const CertifiedQuery& query, SearchWorkspace& workspace, CertifiedAnswer& answer) const;
 
-  /// The same answers, bit for bit, for up to kTogether queries: sooner where these are near each other,
-  /// since descents of different queries on the same piece are made together.
+  /// The same answers, bit for bit, for up to kTogether queries: sooner where these are near each
+  /// other, since descents of different queries on the same piece are made together.
   /// \param answers one for each query
   void find(const CertifiedQuery* queries, int count, SearchWorkspace& workspace,
     CertifiedAnswer* answers) const;

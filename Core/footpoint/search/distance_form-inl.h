@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The distance form of a piece for a query, and what its coefficients say. Compiled once for each set of
-// vector instructions (the guard of Highway's "-inl.h" headers).
+// The distance form of a piece for a query, and what its coefficients say. Compiled once for each
+// set of vector instructions (the guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_DISTANCE_FORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_DISTANCE_FORM_INL_H
 #undef FOOTPOINT_DISTANCE_FORM_INL_H

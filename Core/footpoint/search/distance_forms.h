@@ -48,12 +48,12 @@ struct PieceShape
   /// at that end (de Casteljau 1959), along direction i; columns are padded like rows of a form for
   /// the second direction.
   std::array<std::array<std::vector<double>, 2>, 2> halving;
-  /// raising[i]: column k, row j is the weight of coefficient k of a polynomial of the piece's degree
-  /// in coefficient j of a form (degree elevation; A. R. Forrest 1972), padded likewise.
+  /// raising[i]: column k, row j is the weight of coefficient k of a polynomial of the piece's
+  /// degree in coefficient j of a form (degree elevation; A. R. Forrest 1972), padded likewise.
   std::array<std::vector<double>, 2> raising;
-  /// halves[i]: column k, row j is the weight of coefficient k of a polynomial of the outline's degree
-  /// (ReducedSquares) in coefficient j of its two halves, one after the other and with one in common; padded
-  /// to halves_stride for the second direction.
+  /// halves[i]: column k, row j is the weight of coefficient k of a polynomial of the outline's
+  /// degree (ReducedSquares) in coefficient j of its two halves, one after the other and with one
+  /// in common; padded to halves_stride for the second direction.
   std::array<std::vector<float>, 2> halves;
   int halves_stride;
 
@@ -84,8 +84,8 @@ struct Piece
   double error; ///< how far the piece may be from the geometry, beyond rounding
 };
 
-/// For loops over the nets of pieces, which lie far apart in memory: asks for the start of the net of
-/// a piece a few after this one, if it is before the end.
+/// For loops over the nets of pieces, which lie far apart in memory: asks for the start of the net
+/// of a piece a few after this one, if it is before the end.
 void prefetch_net_after(const AlignedVector<Piece>& pieces, std::int64_t index, std::int64_t end);
 
 /// The Bézier pieces of all splines of a model, each with its *distance form*: for a query P and a
@@ -93,11 +93,11 @@ void prefetch_net_after(const AlignedVector<Piece>& pieces, std::int64_t index, 
 ///
 ///   F(u, v) = w²(|S − P|² − T) = Q − 2 P·W + (|P|² − T) W2,   Q = N·N, W = w N, W2 = w²,
 ///
-/// N = w S being the homogeneous coordinates. F is affine in P, and so are its Bernstein coefficients;
-/// where all of them are positive, no point of the piece is nearer than √T (convex-hull property; T. W.
-/// Sederberg and T. Nishita 1990 for the idea). Of polynomial pieces, whose W = N is the net itself raised
-/// to the degree of F, only Q is stored: two fifths of the numbers, and memory is what large models wait
-/// for.
+/// N = w S being the homogeneous coordinates. F is affine in P, and so are its Bernstein
+/// coefficients; where all of them are positive, no point of the piece is nearer than √T
+/// (convex-hull property; T. W. Sederberg and T. Nishita 1990 for the idea). Of polynomial pieces,
+/// whose W = N is the net itself raised to the degree of F, only Q is stored: two fifths of the
+/// numbers, and memory is what large models wait for.
 ///
 /// Built once; const.
 class DistanceForms
@@ -136,7 +136,8 @@ private:
   const PieceShape* shape_of(const Surface& surface);
   void add_trimmed(std::int32_t patch, const Surface& surface, const Vector3& offset,
     const std::array<std::array<bool, 2>, 2>& special, const TrimRegion& region);
-  /// \param source of size() Bézier pieces, whose for_each(begin, end, visit) gives them one after the other
+  /// \param source of size() Bézier pieces, whose for_each(begin, end, visit) gives them one after
+  ///        the other
   template <int N, class Source>
   void append(std::int32_t patch, const Source& source, const ParametricGeometry<N>& geometry,
     const PieceShape* shape, const Vector3& offset,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finder: all that one query needs. Its members are defined in piece_level-inl.h, piece_collection-inl.h,
-// piece_search-inl.h and piece_proof-inl.h. Compiled once for each set of vector instructions (the
-// guard of Highway's "-inl.h" headers).
+// Finder: all that one query needs. Its members are defined in piece_level-inl.h,
+// piece_collection-inl.h, piece_search-inl.h and piece_proof-inl.h. Compiled once for each set of
+// vector instructions (the guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_FINDER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_FINDER_INL_H
 #undef FOOTPOINT_FINDER_INL_H
@@ -63,7 +63,8 @@ constexpr int kMostOfForm = 40;
 constexpr std::size_t kMostKept = 4096;
 /// More candidates are sorted at once.
 constexpr std::size_t kMostUnsorted = 32;
-/// More than the margin of any piece, in squares of the coordinates: roundings of the highest degree.
+/// More than the margin of any piece, in squares of the coordinates: roundings of the highest
+/// degree.
 constexpr double kMostMargin = 1e-10;
 
 /// So many pieces a walk passes at the most.
@@ -212,7 +213,10 @@ private:
   /// Takes the block of the best foot for searched if that is the nearest point of it.
   void settle();
   /// Whether nothing within reach is left to be found in a piece.
-  bool is_settled(std::int32_t index) const { return index == this->Begun || this->in_block(index); }
+  bool is_settled(std::int32_t index) const
+  {
+    return index == this->Begun || this->in_block(index);
+  }
   bool in_block(std::int32_t index) const
   {
     bool found = false;
@@ -232,8 +236,8 @@ private:
   void bound_by(const PieceQuery& query, const Pair& t, double squared);
   /// Where the tangent plane of the piece's middle is nearest.
   Pair guess(const PieceQuery& query) const;
-  /// Whether the outline of a piece says that it holds nothing within reach. \param start receives where to
-  /// begin otherwise
+  /// Whether the outline of a piece says that it holds nothing within reach. \param start receives
+  /// where to begin otherwise
   bool excludes_by_outline(const PieceQuery& query, const Level& level, Pair& start) const;
   /// The same by the height form about a point of it, or by the distance form cut there.
   bool excludes_from(const PieceQuery& query, const Level& level, const Pair& t);
@@ -268,13 +272,13 @@ private:
     Improved
   };
   Verdict prove(const PieceFoot& survivor);
-  /// Whether the distance form that the coefficients begin with is seen to be positive from a place on where it
-  /// is nearly zero. The coefficients stay.
+  /// Whether the distance form that the coefficients begin with is seen to be positive from a place
+  /// on where it is nearly zero. The coefficients stay.
   bool is_positive_from(const PieceShape& shape, const Pair& t);
   /// Whether the height form of a piece about a minimum on it says that nothing is nearer.
   bool proves_by_height(const PieceQuery& query, const PieceFoot& survivor, double tolerance);
-  /// By how much a height form's query may be another one than ours, from which its point is exactly as far
-  /// away as computed: a few roundings of positions and of the query.
+  /// By how much a height form's query may be another one than ours, from which its point is
+  /// exactly as far away as computed: a few roundings of positions and of the query.
   double moved(const PieceQuery& query) const
   {
     return 32.0 * kRounding * (this->Query.size + bound_of_length(query.p));
@@ -286,8 +290,8 @@ private:
   /// The cells that are left, with their forms relative to the best foot.
   Verdict prove_hard_cells(const PieceQuery& query);
   double view_of(const PieceQuery& query, CellView& view) const;
-  /// Whether F is negative for certain at a place that is trimmed away, where the distance is nearer
-  /// than edges are proved to be.
+  /// Whether F is negative for certain at a place that is trimmed away, where the distance is
+  /// nearer than edges are proved to be.
   bool is_trimmed_away(const PieceQuery& query, const PieceFoot& place) const;
   double excess_of(const PieceFoot& place) const;
   /// For edges half of the tolerance, less what they may be off.

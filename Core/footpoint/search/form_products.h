@@ -18,7 +18,8 @@ public:
   explicit FormProducts(const PieceShape& shape);
 
   /// \param net   rows of (w·x, w·y, w·z, w), the second direction fastest, as in Piece
-  /// \param forms receives Q and, if rational, Wx, Wy, Wz, W2, every row padded by its last coefficient
+  /// \param forms receives Q and, if rational, Wx, Wy, Wz, W2, every row padded by its last
+  ///        coefficient
   void fill(const double* net, double* forms);
 
 private:

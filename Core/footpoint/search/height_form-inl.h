@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// HeightForm: a lower bound of the squared distance over a piece that has only the degree of the piece, not
-// twice that. Compiled once for each set of vector instructions (the guard of Highway's "-inl.h" headers).
+// HeightForm: a lower bound of the squared distance over a piece that has only the degree of the
+// piece, not twice that. Compiled once for each set of vector instructions (the guard of Highway's
+// "-inl.h" headers).
 #if defined(FOOTPOINT_HEIGHT_FORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_HEIGHT_FORM_INL_H
 #undef FOOTPOINT_HEIGHT_FORM_INL_H
@@ -31,22 +32,25 @@ struct HeightView
   Pair t;      ///< its parameters
   /// E below: by how much |S − P|² may fall short of |r|², not negative.
   double allowed;
-  /// |S − f|² is at least a Δu² + 2 b Δu Δv + c Δv² for Δ = t − its parameters, anywhere on the piece;
-  /// a, b, c. Zeros are always true.
+  /// |S − f|² is at least a Δu² + 2 b Δu Δv + c Δv² for Δ = t − its parameters, anywhere on the
+  /// piece; a, b, c. Zeros are always true.
   std::array<double, 3> metric;
 };
 
-/// For S(t) on a piece w S = N and a foot f = S(t₀) on it, r = f − P, A(Δ) ≤ |S − f|² a square form,
+/// For S(t) on a piece w S = N and a foot f = S(t₀) on it, r = f − P and a square form
+/// A(Δ) ≤ |S − f|²,
 ///
-///   w (|S − P|² − |r|² + E) = w |S − f|² + 2 r·(N − w f) + w E ≥ 2 r·(N − w f) + min w (A(t − t₀) + E)
+///   w (|S − P|² − |r|² + E) = w |S − f|² + 2 r·(N − w f) + w E
+///                           ≥ 2 r·(N − w f) + min w (A(t − t₀) + E)
 ///
-/// has the degree of the piece (two or three where that is one), and so less than a third of the coefficients that the
-/// distance form of a bicubic piece has. Where the curvature is what decides, far from the surface, little
-/// is lost.
+/// has the degree of the piece (two or three where that is one), and so less than a third of the
+/// coefficients that the distance form of a bicubic piece has. Where the curvature is what decides,
+/// far from the surface, little is lost.
 ///
-/// Rounding: a coefficient of 2 r·(N − w f) is off by 2 (24 + roundings × max w / min w) u |r| × reach × max w
-/// at the most, of which the second part is that of f; one of the square form by 32 u (a + 2|b| + c).
-/// min w is the root of the smallest coefficient of w², which at a corner is a square rounded once.
+/// Rounding: a coefficient of 2 r·(N − w f) is off by
+/// 2 (24 + roundings × max w / min w) u |r| × reach × max w at the most, of which the second part
+/// is that of f; one of the square form by 32 u (a + 2|b| + c). min w is the root of the smallest
+/// coefficient of w², which at a corner is a square rounded once.
 ///
 /// \tparam P, Q degrees of the piece; −1: any
 template <int P, int Q>
@@ -74,8 +78,8 @@ public:
 private:
   static constexpr int kWidth = 4;
   static constexpr int kMostCells = 16;
-  /// Linear directions have at least degree two, which the square form is of; three beside a cubic one, since a
-  /// vector holds as much and both are equal then.
+  /// Linear directions have at least degree two, which the square form is of; three beside a cubic
+  /// one, since a vector holds as much and both are equal then.
   static constexpr int form_degree(int degree, int other)
   {
     return degree == 1 ? (other == 3 ? 3 : 2) : degree;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the outline of a piece says for a query. Compiled once for each set of vector instructions (the guard
-// of Highway's "-inl.h" headers).
+// What the outline of a piece says for a query. Compiled once for each set of vector instructions
+// (the guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_OUTLINE_FORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_OUTLINE_FORM_INL_H
 #undef FOOTPOINT_OUTLINE_FORM_INL_H
@@ -27,8 +27,8 @@ namespace
 /// Queries beyond this, in units of an outline, have no squares in single precision.
 constexpr double kFarthest = 1e18;
 
-/// A sum of four products of single precision numbers and a fifth one is off by less than this part of
-/// what they are at the most: two roundings each and five of the sum.
+/// A sum of four products of single precision numbers and a fifth one is off by less than this part
+/// of what they are at the most: two roundings each and five of the sum.
 constexpr double kOutlineRounding = 0x1p-20;
 /// A rounding of single precision.
 constexpr double kSingleRounding = 0x1p-24;
@@ -40,7 +40,8 @@ constexpr int kMostRefined = (2 * kMaximumDegree + 1) * kMostRefinedColumns;
 /// Coefficients on the halves of a piece.
 struct RefinedOutline
 {
-  HWY_ALIGN float f[kMostRefined]; ///< rows of PieceShape::halves_stride numbers, padded by the last one
+  /// Rows of PieceShape::halves_stride numbers, padded by the last one.
+  HWY_ALIGN float f[kMostRefined];
   float least;
   float error; ///< of each of them
 
@@ -107,8 +108,8 @@ public:
     return nearest;
   }
 
-  /// The coefficients of w (|r|² + Σ R_k g_k − T) on the halves of the piece. Where all of them are positive,
-  /// nothing is nearer than √T.
+  /// The coefficients of w (|r|² + Σ R_k g_k − T) on the halves of the piece. Where all of them are
+  /// positive, nothing is nearer than √T.
   /// \param constant |r|² − T, or less
   void refine(const PieceShape& shape, double constant, RefinedOutline& result) const
   {
@@ -116,8 +117,8 @@ public:
     with_shape(shape,
       [&](auto p, auto q, auto rational)
       { this->refine_by<p(), q(), rational()>(shape, static_cast<float>(level), result); });
-    // Sums as in error(), of which weighted means are taken along both directions: a rounding for each of
-    // their terms, one for their weights and one for w, which is below 2.
+    // Sums as in error(), of which weighted means are taken along both directions: a rounding for
+    // each of their terms, one for their weights and one for w, which is below 2.
     const double roundings =
       24.0 + raised_degree(shape.degree[0]) + raised_degree(shape.degree[1]);
     result.error = static_cast<float>(
@@ -154,7 +155,7 @@ private:
   HWY_NOINLINE void refine_by(const PieceShape& shape, float constant, RefinedOutline& result) const
   {
     const hn::CappedTag<float, PieceOutline::kWidth> tag;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(tag)); // of one size wherever this compiles
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(tag)); // of one size where this compiles
     const int n = raised_degree(P >= 0 ? P : shape.degree[0]);
     const int m = raised_degree(Q >= 0 ? Q : shape.degree[1]);
     const int stride = Q >= 0 ? (2 * m + 8) / 8 * 8 : shape.halves_stride;
@@ -211,8 +212,8 @@ private:
   double Rounding; ///< of what r adds
 };
 
-/// Near the minimum along one direction: the control points of a parabola c(t − t0)² are those of a parabola
-/// themselves, with its vertex at t0 (n − 1) + ½ (from raising its degree to n).
+/// Near the minimum along one direction: the control points of a parabola c(t − t0)² are those of a
+/// parabola themselves, with its vertex at t0 (n − 1) + ½ (from raising its degree to n).
 /// \param f of both halves, one after the other \param at the smallest one
 HWY_INLINE double start_in_half(const float* f, int stride, int at, int n)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Plain Newton steps of several queries on one piece at once, one query in each lane of a vector: the
-// same operations in the same order as for one query alone, so the results are the same bits. Compiled
-// once for each set of vector instructions (the guard of Highway's "-inl.h" headers).
+// Plain Newton steps of several queries on one piece at once, one query in each lane of a vector:
+// the same operations in the same order as for one query alone, so the results are the same bits.
+// Compiled once for each set of vector instructions (the guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_PACKET_DESCENT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_PACKET_DESCENT_INL_H
 #undef FOOTPOINT_PACKET_DESCENT_INL_H
@@ -30,7 +30,8 @@ struct Lanes
 
   hn::Vec<Tag> value;
 
-  Lanes() = default; // trivial: what the compiler writes itself is compiled without vector instructions
+  /// Trivial: what the compiler writes itself is compiled without vector instructions.
+  Lanes() = default;
   HWY_INLINE explicit Lanes(double number)
     : value(hn::Set(Tag(), number))
   {

@@ -20,8 +20,8 @@ namespace
 /// How equal the distance of another foot of a continuum has to be, as a fraction of the size.
 constexpr double kEqualDistance = 1e-12;
 
-/// Rounding of a second derivative by the size over the square of a knot span: the differences of positions
-/// that it is made of, to degree ten and more.
+/// Rounding of a second derivative by the size over the square of a knot span: the differences of
+/// positions that it is made of, to degree ten and more.
 constexpr double kSecondRounding = 1024.0 * std::numeric_limits<double>::epsilon();
 
 /// A slope that many times its floor is one.
@@ -49,8 +49,8 @@ double span_at(const Direction& direction, double t)
   return is_on_line ? std::min(width, *(next - 1) - *(next - 2)) : width;
 }
 
-/// A scaled eigenvalue of the Hessian above which E curves upwards for certain, and above which descents from
-/// kProbe away come back, since the slope there is more than rounding.
+/// A scaled eigenvalue of the Hessian above which E curves upwards for certain, and above which
+/// descents from kProbe away come back, since the slope there is more than rounding.
 template <int N>
 double surely_curved(const ParametricGeometry<N>& geometry, const FootConditions<N>& conditions,
   const Frame<N>& frame)
@@ -112,8 +112,8 @@ typename PatchSearchOf<N>::Curvatures PatchSearchOf<N>::curvatures(
 
 /// Where E is flat to second order along a direction, a descent is started a little way off on
 /// either side: on a continuum it stays there, at an isolated minimum it comes back (or ends
-/// farther away). It need not be made where there is no slope but rounding, which it would stay at, nor where
-/// E curves upwards for certain.
+/// farther away). It need not be made where there is no slope but rounding, which it would stay at,
+/// nor where E curves upwards for certain.
 template <int N>
 bool PatchSearchOf<N>::isolated(const Vector3& point, const PatchFoot& foot) const
 {

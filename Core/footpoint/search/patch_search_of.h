@@ -17,8 +17,9 @@
 namespace footpoint
 {
 
-/// Scaled eigenvalue of the Hessian below which a foot, or sine of a line below which a meeting, may be one
-/// of a continuum, and how far off (as a fraction of the size) another one is looked for.
+/// Scaled eigenvalue of the Hessian below which a foot, or sine of a line below which a meeting,
+/// may be one of a continuum, and how far off (as a fraction of the size) another one is looked
+/// for.
 constexpr double kFlat = 1e-6;
 constexpr double kProbe = 1e-2;
 

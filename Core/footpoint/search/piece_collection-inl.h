@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The members of Finder that go through the tree of boxes: to a piece to begin with, and to all that may
-// hold the nearest point. Compiled once for each set of vector instructions (the guard of Highway's
-// "-inl.h" headers).
+// The members of Finder that go through the tree of boxes: to a piece to begin with, and to all
+// that may hold the nearest point. Compiled once for each set of vector instructions (the guard of
+// Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_PIECE_COLLECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_PIECE_COLLECTION_INL_H
 #undef FOOTPOINT_PIECE_COLLECTION_INL_H
@@ -23,8 +23,8 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// Squared distances of the boxes of a node from the query. Double precision: far away the boxes differ by
-/// less than single precision tells.
+/// Squared distances of the boxes of a node from the query. Double precision: far away the boxes
+/// differ by less than single precision tells.
 HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared) const
 {
   const hn::CappedTag<double, 8> tag;
@@ -45,8 +45,8 @@ HWY_INLINE void Finder::box_distances(const BoxTree::Node& node, double* squared
   }
 }
 
-/// Squared distances of the boxes of a node, and the child that a way down follows: boxes that hold the
-/// point are told apart by their middles.
+/// Squared distances of the boxes of a node, and the child that a way down follows: boxes that hold
+/// the point are told apart by their middles.
 HWY_INLINE int Finder::visit(std::int32_t index)
 {
   const hn::CappedTag<double, 8> tag;
@@ -76,7 +76,8 @@ HWY_INLINE int Finder::visit(std::int32_t index)
       middle = hn::MulAdd(twice, twice, middle);
     }
     hn::StoreU(squared, tag, visit.squared + k);
-    // Every score carries the number of its child in its last bits, so that the least one tells whose it is.
+    // Every score carries the number of its child in its last bits, so that the least one tells
+    // whose it is.
     const auto score = hn::Min(hn::MulAdd(slight, middle, squared), greatest);
     const auto number = hn::Iota(bits, static_cast<std::uint64_t>(k));
     least = hn::Min(least,

@@ -36,8 +36,8 @@ constexpr double kLevelStep = 1e-6;
 /// So near an end of a piece the end itself is tried.
 constexpr double kNearEnd = 1e-4;
 
-/// Newton's step in units in which both derivatives have length 1; where the Hessian is not positive
-/// definite, with its eigenvalues by magnitude (Y. Dauphin et al. 2014).
+/// Newton's step in units in which both derivatives have length 1; where the Hessian is not
+/// positive definite, with its eigenvalues by magnitude (Y. Dauphin et al. 2014).
 HWY_INLINE Pair newton_step(const Place& place, const std::array<bool, 2>& free)
 {
   Pair step{ { 0.0, 0.0 } };
@@ -354,7 +354,8 @@ HWY_NOINLINE int descend_on(const PieceQuery& query, const Range& range, Place& 
 }
 
 /// The part of a query that belongs to one piece. \param p in the model's centred coordinates
-HWY_INLINE PieceQuery query_at(const SearchStructure& structure, const double* p, std::int32_t index)
+HWY_INLINE PieceQuery query_at(
+  const SearchStructure& structure, const double* p, std::int32_t index)
 {
   PieceQuery query;
   query.piece = &structure.forms.pieces()[index];
@@ -366,8 +367,8 @@ HWY_INLINE PieceQuery query_at(const SearchStructure& structure, const double* p
   return query;
 }
 
-/// The piece to which a step leads that leaves its own, −1: none that goes on smoothly. The target is
-/// moved on to that piece.
+/// The piece to which a step leads that leaves its own, −1: none that goes on smoothly. The target
+/// is moved on to that piece.
 HWY_INLINE std::int32_t piece_beyond(
   const SearchStructure& structure, const PieceQuery& query, Pair& target)
 {
@@ -441,7 +442,8 @@ void take_plain_steps(Descent& descent)
     });
 }
 
-/// On to the minimum of the piece from where plain steps ended. Returns the number of all evaluations.
+/// On to the minimum of the piece from where plain steps ended. Returns the number of all
+/// evaluations.
 int finish_descent(Descent& descent)
 {
   if (descent.steps == Steps::Done)

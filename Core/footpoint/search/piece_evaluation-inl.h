@@ -35,8 +35,8 @@ constexpr double kRounding = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Numbers in a vector of a form. Between forms a query is arithmetic on single numbers, which many
-/// processors have a port less for as long as vectors of 512 bits are under way. Boxes, and several queries at
-/// once (packet_descent-inl.h), are vectors alone, and take the widest.
+/// processors have a port less for as long as vectors of 512 bits are under way. Boxes, and several
+/// queries at once (packet_descent-inl.h), are vectors alone, and take the widest.
 constexpr int kMostLanes = 4;
 
 using Pair = std::array<double, 2>;
@@ -54,8 +54,8 @@ HWY_INLINE double bound_of_length(const double* a)
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
 
-// Arithmetic is written once for numbers and for lanes of numbers (packet_descent-inl.h), operation for
-// operation, so that a descent does not depend on the company it is in.
+// Arithmetic is written once for numbers and for lanes of numbers (packet_descent-inl.h), operation
+// for operation, so that a descent does not depend on the company it is in.
 
 /// Bernstein polynomials of degree n and their first two derivatives.
 template <class T>
@@ -221,8 +221,8 @@ HWY_INLINE void divide_by_weight(PlaceOf<T>& place)
   }
 }
 
-/// Evaluates at place.t: rows of the net are summed first, then its columns. A vector holds one control
-/// point; to hold two of them in wider ones takes longer.
+/// Evaluates at place.t: rows of the net are summed first, then its columns. A vector holds one
+/// control point; to hold two of them in wider ones takes longer.
 template <int P, int Q, bool Rational>
 HWY_INLINE void evaluate(const PieceQuery& query, Place& place)
 {
@@ -306,7 +306,8 @@ HWY_INLINE void expand(const T* p, const std::array<T, 2>& target, PlaceOf<T>& p
     }
     const T by_u = jet[kSuu][k] * du + jet[kSuv][k] * dv;
     const T by_v = jet[kSuv][k] * du + jet[kSvv][k] * dv;
-    jet[kS][k] = jet[kS][k] + (jet[kSu][k] * du + jet[kSv][k] * dv + T(0.5) * (by_u * du + by_v * dv));
+    jet[kS][k] =
+      jet[kS][k] + (jet[kSu][k] * du + jet[kSv][k] * dv + T(0.5) * (by_u * du + by_v * dv));
     jet[kSu][k] = jet[kSu][k] + by_u;
     jet[kSv][k] = jet[kSv][k] + by_v;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The members of Finder that say under which distance the form of a piece is taken, and by how much its
-// coefficients are off. Compiled once for each set of vector instructions (the guard of Highway's
-// "-inl.h" headers).
+// The members of Finder that say under which distance the form of a piece is taken, and by how much
+// its coefficients are off. Compiled once for each set of vector instructions (the guard of
+// Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_PIECE_LEVEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_PIECE_LEVEL_INL_H
 #undef FOOTPOINT_PIECE_LEVEL_INL_H

@@ -20,8 +20,8 @@ namespace
 /// What a piece of a block has to reach of the mean speed, along the way to any of its points: far
 /// below it the limit is too small to be of use.
 constexpr double kLeastSpeed = 0.25;
-/// So much of the distance that the derivation allows is used; what is left bounds what a gradient left
-/// over does, which is next to nothing.
+/// So much of the distance that the derivation allows is used; what is left bounds what a gradient
+/// left over does, which is next to nothing.
 constexpr double kPartOfLimit = 0.9;
 /// Below this speed a rational piece is looked at more sharply, at about the price of its bounds:
 /// the limit goes with the square, and can gain by more than four.

@@ -33,8 +33,8 @@ struct PieceNeighbourhood
   /// Distance up to which the foot is the nearest of the block: nine tenths of what the derivation
   /// allows, so that the rest bounds what a gradient left over does. Negative: nothing is known.
   double limit;
-  /// |S − f|² ≥ metric[0] Δu² + 2 metric[1] Δu Δv + metric[2] Δv² for two points S, f of the piece itself
-  /// that are Δ apart in its parameters. Zeros: nothing is known.
+  /// |S − f|² ≥ metric[0] Δu² + 2 metric[1] Δu Δv + metric[2] Δv² for two points S, f of the piece
+  /// itself that are Δ apart in its parameters. Zeros: nothing is known.
   std::array<double, 3> metric;
   /// Length of the parameters' units, inverse: |Δ·gradient| ≤ |Δ| Σ_i inverse_speed[i]
   /// |gradient_i|.

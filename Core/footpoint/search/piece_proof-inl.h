@@ -68,8 +68,9 @@ bool Finder::prove_all()
   {
     return true;
   }
-  // Pieces are left out under a bound that some point gives. Where no foot is as near (rounding made that
-  // point nearer than it is, or the ways down from it failed or led out of the face), they are not proved.
+  // Pieces are left out under a bound that some point gives. Where no foot is as near (rounding
+  // made that point nearer than it is, or the ways down from it failed or led out of the face),
+  // they are not proved.
   const double distance = this->found() ? this->best().distance : this->Query.limit;
   return proved && distance <= this->Bound + this->Tolerance;
 }
@@ -248,8 +249,8 @@ bool Finder::proves_by_height(
     point[k] = survivor.position[k] - query.piece->origin[k];
   }
   const double distance = this->found() ? this->best().distance : this->Query.limit;
-  // Both queries' distances, and their squares, may differ by as much. Where nothing was found there is
-  // nothing within the limit for certain, without a tolerance.
+  // Both queries' distances, and their squares, may differ by as much. Where nothing was found
+  // there is nothing within the limit for certain, without a tolerance.
   const double moved = this->moved(query);
   const double left = (this->found() ? tolerance : 0.0) - 4.0 * moved;
   const double excess = this->excess_of(survivor) - 2.0 * moved * survivor.distance;
@@ -437,8 +438,8 @@ Finder::Verdict Finder::prove_hard_cells(const PieceQuery& query)
     }
     if (query.piece->region && !is_kept(*query.piece, place.t))
     {
-      // What lies below may go on far beyond the loop: where it does, only cells that the loop does not
-      // pass are settled, and narrow ones are passed the longest.
+      // What lies below may go on far beyond the loop: where it does, only cells that the loop does
+      // not pass are settled, and narrow ones are passed the longest.
       const double across = place.metric[1 - cut] * width[1 - cut] * width[1 - cut];
       const double along = place.metric[cut] * width[cut] * width[cut];
       cut = across > kNarrow * kNarrow * along ? 1 - cut : cut;

@@ -84,7 +84,8 @@ void Finder::end_walk()
   this->Visited = 0;
   const int count = this->WalkedSteps + finish_descent(this->Pending);
   const PieceQuery& query = this->Pending.query;
-  this->Begun = query.index == this->First ? query.index : -1; // elsewhere a better start may be known
+  // Elsewhere a better start may be known.
+  this->Begun = query.index == this->First ? query.index : -1;
   this->take(this->foot_of(query, this->Pending.place, count));
   this->settle();
   if (!this->found())

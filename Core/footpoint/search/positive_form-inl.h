@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// PositiveForm: proves that a polynomial in Bernstein form is positive. Compiled once for each set of vector
-// instructions (the guard of Highway's "-inl.h" headers).
+// PositiveForm: proves that a polynomial in Bernstein form is positive. Compiled once for each set
+// of vector instructions (the guard of Highway's "-inl.h" headers).
 #if defined(FOOTPOINT_POSITIVE_FORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FOOTPOINT_POSITIVE_FORM_INL_H
 #undef FOOTPOINT_POSITIVE_FORM_INL_H
@@ -25,17 +25,19 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// A polynomial of degree (n, m) that is nearly zero at its minimum, proved to be positive by cutting it
-/// there: in a cell with the minimum at a corner all coefficients of what is left after a square form that is
-/// positive and has the same mixed coefficient at that corner have to be positive; in other cells all
-/// coefficients. Cells that fail are halved; a corner that is not positive ends the attempt.
+/// A polynomial of degree (n, m) that is nearly zero at its minimum, proved to be positive by
+/// cutting it there: in a cell with the minimum at a corner all coefficients of what is left after
+/// a square form that is positive and has the same mixed coefficient at that corner have to be
+/// positive; in other cells all coefficients. Cells that fail are halved; a corner that is not
+/// positive ends the attempt.
 ///
-/// A cell is cut across its rows, whole rows at a time; to be cut across its columns it is transposed first, and
-/// stays so. A line's only row is taken for a column from the beginning.
+/// A cell is cut across its rows, whole rows at a time; to be cut across its columns it is
+/// transposed first, and stays so. A line's only row is taken for a column from the beginning.
 ///
 /// Rounding: cutting adds 4 (max(n, m) + 1) u × the greatest coefficient each time.
 ///
-/// \tparam N, M degrees; −1: any; N is 0 for lines \tparam Width rows are padded to whole multiples of this
+/// \tparam N, M degrees; −1: any; N is 0 for lines \tparam Width rows are padded to whole multiples
+///        of this
 template <int N, int M, int Width>
 class PositiveForm
 {
@@ -58,9 +60,10 @@ public:
   /// Numbers from one row to the next, as it begins; the last one is repeated.
   HWY_INLINE int stride() const { return (this->m() + Width) / Width * Width; }
 
-  /// Whether the polynomial is positive for certain whose coefficients the memory begins with, and loses.
-  /// \param greatest of the coefficients, by magnitude \param most_cells to look at; after that another way is
-  ///        better
+  /// Whether the polynomial is positive for certain whose coefficients the memory begins with, and
+  /// loses.
+  /// \param greatest of the coefficients, by magnitude \param most_cells to look at; after that
+  ///        another way is better
   bool is_positive(double greatest, int most_cells)
   {
     const double error_of_cut =
@@ -105,8 +108,8 @@ public:
         }
       }
       double* upper = f + size;
-      const int across =
-        is_to_be_cut_there ? (low.foot[0] == FootAt::Middle ? 0 : 1) : this->longer_direction(low, f);
+      const int across = is_to_be_cut_there ? (low.foot[0] == FootAt::Middle ? 0 : 1)
+                                            : this->longer_direction(low, f);
       this->copy_with_rows_across(across, low, f, upper);
       const double at = is_to_be_cut_there ? this->T[low.row_direction] : 0.5;
       this->cut(low, at, f, upper);
@@ -144,7 +147,7 @@ private:
   static constexpr int kWidth = kIsLine ? 1 : Width;
   static constexpr int kMostRows = N >= 0 && M >= 0 ? std::max(N, M) + 1 : 2 * kMaximumDegree + 1;
   using Tag = hn::CappedTag<double, std::min(kWidth, kMostLanes)>;
-  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag())); // of one size wherever this compiles
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag())); // of one size here
 
   static HWY_INLINE int stride_of(int degree) { return (degree + kWidth) / kWidth * kWidth; }
   /// Numbers of a cell, and of the transposed one.
@@ -191,8 +194,9 @@ private:
     return hn::AllTrue(tag, above);
   }
 
-  /// The same after a square form about the foot, whose coefficients are a i (i − 1) − b i j + c j (j − 1)
-  /// from the foot's corner on: not negative for a c ≥ b² n m / (4 (n − 1) (m − 1)).
+  /// The same after a square form about the foot, whose coefficients are
+  /// a i (i − 1) − b i j + c j (j − 1) from the foot's corner on: not negative for a c ≥ b² n m /
+  /// (4 (n − 1) (m − 1)).
   /// \pre the foot is at a corner
   HWY_INLINE bool is_above_square(const Cell& cell, const double* f, double error) const
   {
@@ -241,8 +245,8 @@ private:
       for (int i = 0; i <= n; ++i)
       {
         const double row = is_last_row ? n - i : i;
-        const auto taken =
-          hn::NegMulAdd(hn::Set(tag, row), step, hn::Add(hn::Set(tag, a * (row * (row - 1.0))), along));
+        const auto taken = hn::NegMulAdd(
+          hn::Set(tag, row), step, hn::Add(hn::Set(tag, a * (row * (row - 1.0))), along));
         above = hn::And(above, hn::Ge(hn::LoadU(tag, f + i * stride + j), taken));
       }
     }
@@ -304,7 +308,8 @@ private:
   }
 
   /// De Casteljau 1959.
-  /// \param upper with the coefficients, whose place those of the upper part take \param lower receives the others
+  /// \param upper with the coefficients, whose place those of the upper part take \param lower
+  ///        receives the others
   HWY_INLINE void cut(const Cell& cell, double s, double* lower, double* upper) const
   {
     const int n = this->n(cell);

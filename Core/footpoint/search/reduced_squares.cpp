@@ -143,8 +143,8 @@ NumberRows rows_of(const Dense& dense)
   return result;
 }
 
-/// The Bernstein polynomials of degree n, one column each, at Chebyshev's nodes for polynomials of degree
-/// `nodes`.
+/// The Bernstein polynomials of degree n, one column each, at Chebyshev's nodes for polynomials of
+/// degree `nodes`.
 Dense bernstein_at_nodes(int n, int nodes)
 {
   const std::vector<double> binomial = binomials(n);

@@ -29,15 +29,15 @@ struct NumberRows
   const double* operator[](int row) const { return this->numbers.data() + row * this->stride; }
 };
 
-/// The square of the distance from a piece's origin brought down to the degree of the piece: for pieces of one
-/// shape, one after the other, numbers a_k with
+/// The square of the distance from a piece's origin brought down to the degree of the piece: for
+/// pieces of one shape, one after the other, numbers a_k with
 ///
 ///   |S|² ≥ Σ R_k a_k,   R_k = w_k B_k / w the rational basis.
 ///
-/// Σ B_k w_k a_k is w |S|² interpolated at Chebyshev's nodes, less σ w: σ is the least number for which all
-/// coefficients of Q − w Σ B_k w_k a_k, which has twice the degree, are seen to be positive. Directions of degree
-/// one are raised to two first, so that the square of the way along them is kept. The memory is that of one
-/// piece.
+/// Σ B_k w_k a_k is w |S|² interpolated at Chebyshev's nodes, less σ w: σ is the least number for
+/// which all coefficients of Q − w Σ B_k w_k a_k, which has twice the degree, are seen to be
+/// positive. Directions of degree one are raised to two first, so that the square of the way along
+/// them is kept. The memory is that of one piece.
 class ReducedSquares
 {
 public:

@@ -117,7 +117,8 @@ private:
 
   /// The better of the full step and, where it crosses a border of the piece, the border itself.
   Frame<N> arrive(const Parameter<N>& step, Parameter<N>& moved) const;
-  /// Whether a frame at which arrive() may end is lower: from points alone, without their derivatives.
+  /// Whether a frame at which arrive() may end is lower: from points alone, without their
+  /// derivatives.
   bool may_be_lower_after(const Parameter<N>& step) const;
 
   /// Enough decrease; or, where E is equal to rounding, smaller residuals, first those above their

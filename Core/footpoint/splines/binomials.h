@@ -8,7 +8,8 @@
 namespace footpoint
 {
 
-/// The binomial coefficients C(n, 0) … C(n, n): exact while they are small, then to a few roundings.
+/// The binomial coefficients C(n, 0) … C(n, n): exact while they are small, then to a few
+/// roundings.
 inline std::vector<double> binomials(int n)
 {
   std::vector<double> row{ 1.0 };

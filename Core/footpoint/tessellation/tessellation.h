@@ -64,15 +64,15 @@ struct Tessellation
 /// Triangulates surfaces and trimmed faces, and turns curves into polylines.
 ///
 /// Adaptive: the distance of every point of the surface from the triangles is at most the tolerance
-/// (from the one over its parameters it may be more, where parameters run unevenly). Over a triangle
-/// whose corners lie within a circle of radius R of the metric (d²S(a, a) ≤ |a|²) around the
-/// parameters, a linear interpolant is off by R²/2 at most (S. Waldron 1998; for boxes D. Filip, R.
-/// Magedson and R. Markot 1986); the second derivatives are bounded by control nets of the Bézier
-/// pieces restricted to the triangle's box. Where that bound is too large, their components along
-/// the normal are bounded, and what lies beside it counts by the slope of the triangle: that is
-/// measured at its corners and enlarged by a factor, not bounded. Along edges the trim curve's
-/// distance from its chord is added. Joining edges of neighbouring faces moves points by no more
-/// than those edges are apart.
+/// (from the one over its parameters it may be more, where parameters run unevenly). Over a
+/// triangle whose corners lie within a circle of radius R of the metric (d²S(a, a) ≤ |a|²) around
+/// the parameters, a linear interpolant is off by R²/2 at most (S. Waldron 1998; for boxes D.
+/// Filip, R. Magedson and R. Markot 1986); the second derivatives are bounded by control nets of
+/// the Bézier pieces restricted to the triangle's box. Where that bound is too large, their
+/// components along the normal are bounded, and what lies beside it counts by the slope of the
+/// triangle: that is measured at its corners and enlarged by a factor, not bounded. Along edges the
+/// trim curve's distance from its chord is added. Joining edges of neighbouring faces moves points
+/// by no more than those edges are apart.
 ///
 /// Edges are sampled by their curves and the faces that meet there, whichever way they run: closed
 /// solids become watertight meshes. Results have the same bits for any number of threads.

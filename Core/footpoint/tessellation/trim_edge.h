@@ -43,8 +43,9 @@ public:
   /// of the surface over the chord.
   double chord(const SurfaceBounds& bounds, double from, double to) const;
 
-  /// Ascending parameters from one to another, both included, between which chords keep to a quarter
-  /// of the rule's tolerance: triangles beside them, whose other sides turn as much, need the rest.
+  /// Ascending parameters from one to another, both included, between which chords keep to a
+  /// quarter of the rule's tolerance: triangles beside them, whose other sides turn as much, need
+  /// the rest.
   std::vector<double> samples(
     const SurfaceBounds& bounds, const SamplingRule& rule, double from, double to) const;
   /// Whether one chord is enough.

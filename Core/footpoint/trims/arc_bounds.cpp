@@ -179,7 +179,8 @@ bool passes(const ChainArc& arc, const TrimPlane& plane, const Eigen::Vector2d& 
       return false;
     }
   }
-  // As far along the arc as the place, in either coordinate, since an arc may turn back in one of them.
+  // As far along the arc as the place, in either coordinate, since an arc may turn back in one of
+  // them.
   for (int i = 0; i < 2; ++i)
   {
     const bool ascending = arc.end[1][i] > arc.end[0][i];

@@ -17,9 +17,9 @@ namespace footpoint
 ArcBounds bounds_of(const BoundaryPart& part, const TrimPlane& plane,
   const std::function<int(const Eigen::Vector2d& place)>& winding);
 
-/// Settles what undecided parts are that are no longer than kOnePlace, as lines over gaps of rounding's
-/// size: nothing beside them tells. They are the ends of their neighbours in the loop, and edges if one
-/// of these is. \pre bounds_of() has been told for each part inside the domain
+/// Settles what undecided parts are that are no longer than kOnePlace, as lines over gaps of
+/// rounding's size: nothing beside them tells. They are the ends of their neighbours in the loop,
+/// and edges if one of these is. \pre bounds_of() has been told for each part inside the domain
 void settle_short_parts(std::vector<BoundaryPart>& parts, const TrimPlane& plane);
 
 /// Whether an arc passes through a place, up to twice kContact. \pre monotone

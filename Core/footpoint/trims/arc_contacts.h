@@ -45,9 +45,9 @@ struct ArcContacts
 };
 
 /// Where two arcs meet, by halving both until their control polygons are apart or both are straight
-/// up to rounding (fat lines: T. W. Sederberg and T. Nishita 1990). That arcs which have two points in
-/// common overlap between them is known by more common points than curves of their degrees can have
-/// (É. Bézout 1779).
+/// up to rounding (fat lines: T. W. Sederberg and T. Nishita 1990). That arcs which have two points
+/// in common overlap between them is known by more common points than curves of their degrees can
+/// have (É. Bézout 1779).
 /// \pre both arcs are monotone in u and in v
 /// \param steps pairs of parts that may be compared; what was needed is taken off
 ArcContacts arc_contacts(

@@ -33,8 +33,8 @@ ArcPart whole_arc(const ChainArc& arc, const Eigen::Vector2d& unit);
 /// Both halves of a part (de Casteljau 1959).
 std::array<ArcPart, 2> halves(const ArcPart& part);
 
-/// Whether the control points of two parts are farther apart than kApart, along u, along v or across
-/// one of the chords.
+/// Whether the control points of two parts are farther apart than kApart, along u, along v or
+/// across one of the chords.
 bool are_apart(const ArcPart& a, const ArcPart& b);
 
 /// Whether two arcs that begin in the same point meet nowhere else: seen from there, their control

@@ -174,8 +174,8 @@ private:
     }
   }
 
-  /// Where two arcs meet: an end of one of them, or where others meet there, or on the line on which
-  /// one of them lies.
+  /// Where two arcs meet: an end of one of them, or where others meet there, or on the line on
+  /// which one of them lies.
   Point2 place(std::size_t a, std::size_t b, const std::array<double, 2>& fractions)
   {
     Point2 at = arc_jet(this->Arcs[a].arc, fractions[0], 0).col(0);

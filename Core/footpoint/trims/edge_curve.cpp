@@ -17,8 +17,8 @@ namespace
 /// Points of each arc whose box gives the size of the edge, where it is no point by them.
 constexpr int kSizeSamples = 4;
 
-/// As many points of an arc as it could return to the first of them and not be one point. A rational
-/// piece could at a few more.
+/// As many points of an arc as it could return to the first of them and not be one point. A
+/// rational piece could at a few more.
 int closest_samples(const Surface& surface, const TrimArc& arc)
 {
   return 2 * (surface.knots(0).degree() + surface.knots(1).degree()) *
@@ -30,8 +30,8 @@ int closest_samples(const Surface& surface, const TrimArc& arc)
 constexpr double kKink = kClosureTolerance;
 
 /// An edge inside the domain whose points are no farther apart than this part of the surface's size
-/// is one point: evaluation knows no better. What is larger bounds the face, however small it is: the
-/// foot on the untrimmed surface may lie within a hole of any size.
+/// is one point: evaluation knows no better. What is larger bounds the face, however small it is:
+/// the foot on the untrimmed surface may lie within a hole of any size.
 constexpr double kPointInside = 8.0 * 0x1p-52;
 
 /// An arc this short, as a part of the domain in each direction, has no length but rounding.

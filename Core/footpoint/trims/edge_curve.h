@@ -77,9 +77,9 @@ enum class EdgeArcs
 };
 
 /// The edges of a face: one for each run of arcs of one loop curve (or closed gap) in the domain.
-/// Left out are arcs that are no edges of the face, arcs of no length in the parameters and edges that are one point in space, as those
-/// along a pole: up to rounding with InsideDomain, up to kClosureTolerance of the surface's size with
-/// NoSeams.
+/// Left out are arcs that are no edges of the face, arcs of no length in the parameters and edges
+/// that are one point in space, as those along a pole: up to rounding with InsideDomain, up to
+/// kClosureTolerance of the surface's size with NoSeams.
 std::vector<std::shared_ptr<const EdgeCurve>> edge_curves(
   const std::shared_ptr<const Surface>& surface, const TrimRegion& region, EdgeArcs which);
 

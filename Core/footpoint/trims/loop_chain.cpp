@@ -52,8 +52,8 @@ void check_planar(const Curve& curve, const TrimPlane& plane, const std::string&
   }
 }
 
-/// Whether all of an arc lies on a border of the domain (NaN: on none) up to the rounding of files. The
-/// strip between the two would be neither kept nor told from the border.
+/// Whether all of an arc lies on a border of the domain (NaN: on none) up to the rounding of files.
+/// The strip between the two would be neither kept nor told from the border.
 bool is_along(const ChainArc& arc, int i, double border, const TrimPlane& plane)
 {
   const auto x = arc.arc.control.row(i).array() / arc.arc.control.row(2).array();

@@ -8,8 +8,8 @@
 namespace footpoint
 {
 
-/// What an arc of a loop is to the face. All arcs of loops that do not meet bound it, but not those of
-/// loops that cross, nor those of a hole beside the face.
+/// What an arc of a loop is to the face. All arcs of loops that do not meet bound it, but not those
+/// of loops that cross, nor those of a hole beside the face.
 enum class ArcBounds
 {
   Face,     ///< the face lies to its left and ends there

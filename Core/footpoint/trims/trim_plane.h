@@ -35,8 +35,8 @@ public:
 
   /// How far from a border of the domain an arc may run and still be on it.
   double border_rounding(int i) const;
-  /// The border of the domain that a coordinate is within border_rounding() of, else NaN. In a closed
-  /// direction borders repeat with the period.
+  /// The border of the domain that a coordinate is within border_rounding() of, else NaN. In a
+  /// closed direction borders repeat with the period.
   double border_near(int i, double at) const;
 
   /// The lines strictly between two coordinates, ascending.

@@ -284,8 +284,8 @@ void TrimRegion::add_arcs(std::vector<ChainArc> arcs)
         place[i] += place[i] < 0.0 ? plane.length(i) : -plane.length(i);
       }
     }
-    return this->Index.winding(
-      this->clamped(0, place[this->Swapped ? 1 : 0]), this->clamped(1, place[this->Swapped ? 0 : 1]));
+    return this->Index.winding(this->clamped(0, place[this->Swapped ? 1 : 0]),
+      this->clamped(1, place[this->Swapped ? 0 : 1]));
   };
   std::vector<BoundaryPart> parts = cut_at_contacts(std::move(arcs), plane);
   for (BoundaryPart& part : parts)

@@ -69,8 +69,8 @@ footpoint::Vector3 BezierPoint(const std::vector<footpoint::BezierPiece<2>>& pie
     }
     const auto cast = [&](Eigen::Matrix<double, 4, Eigen::Dynamic> points, int direction)
     {
-      const double s =
-        (at[direction] - piece.lower[direction]) / (piece.upper[direction] - piece.lower[direction]);
+      const double s = (at[direction] - piece.lower[direction]) /
+        (piece.upper[direction] - piece.lower[direction]);
       while (points.cols() > 1)
       {
         const Eigen::Index left = points.cols() - 1;
@@ -323,10 +323,10 @@ void CompareFile(const std::string& file)
     edges = std::max(edges, found);
   }
   std::cout << std::filesystem::path(file).filename().string() << ": " << total.faces
-            << " faces, point " << total.point << ", Bézier " << total.bezier << ", normal " << total.normal << ", trim "
-            << total.trim << " tolerances, gap " << total.gap << ", region " << total.different
-            << " of " << total.compared << ", edges " << edges << " (edge " << worst_edge << ")"
-            << std::endl;
+            << " faces, point " << total.point << ", Bézier " << total.bezier << ", normal "
+            << total.normal << ", trim " << total.trim << " tolerances, gap " << total.gap
+            << ", region " << total.different << " of " << total.compared << ", edges " << edges
+            << " (edge " << worst_edge << ")" << std::endl;
   CHECK(total.point <= kExact);
   CHECK(total.bezier <= kExact);
   CHECK(total.normal <= 1e-9);
