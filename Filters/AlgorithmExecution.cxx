@@ -193,14 +193,14 @@ void run_parallel(std::int64_t count, std::int64_t grain, const Loop& body)
   run_with_vtk_threads(count, grain, body);
 }
 
-Execution make_execution(vtkAlgorithm* algorithm, double first, double share)
+Execution make_execution(vtkAlgorithm* algorithm)
 {
   Execution execution;
   execution.parallel_for = [](std::int64_t count, const Loop& body)
   { run_parallel(count, 0, body); };
-  execution.proceed = [algorithm, first, share](double fraction)
+  execution.proceed = [algorithm](double fraction)
   {
-    algorithm->UpdateProgress(first + share * fraction);
+    algorithm->UpdateProgress(fraction);
     return !should_abort(algorithm, 0);
   };
   return execution;

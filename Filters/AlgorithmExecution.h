@@ -50,8 +50,7 @@ void run_parallel(std::int64_t count, std::int64_t grain,
 
 /// Threads by the plan, and the progress and abort flag of an algorithm, which has to outlive the
 /// result. Progress and abort are seen to on the calling thread alone.
-/// \param first, share where this work begins in the whole of [0, 1], and which part of it it is
-Execution make_execution(vtkAlgorithm* algorithm, double first = 0.0, double share = 1.0);
+Execution make_execution(vtkAlgorithm* algorithm);
 
 } // namespace footpoint::conversion
 

@@ -75,15 +75,6 @@ std::string vtkPointInversionFilter::Internals::InvalidInput(
   return input && output ? InvalidOption(self) : "No input points.";
 }
 
-footpoint::Execution vtkPointInversionFilter::Internals::Run(
-  vtkPointInversionFilter* self, CancelSignal& cancel, double first, double share)
-{
-  footpoint::Execution result = make_execution(self, first, share);
-  result.proceed = [&cancel, proceed = result.proceed](double fraction)
-  { return !cancel.requested(!proceed(fraction)); };
-  return result;
-}
-
 std::string vtkPointInversionFilter::Internals::Prepare(vtkPointInversionFilter* self,
   const SourceGeometry& own, const Ranks& ranks, CancelSignal& cancel)
 {
@@ -96,8 +87,8 @@ std::string vtkPointInversionFilter::Internals::Prepare(vtkPointInversionFilter*
     {
       return "No geometry: neither a source (port 1) nor a parametric function is set.";
     }
-    const bool built =
-      this->Inverter.update(geometry, Options(self), Run(self, cancel, 0.0, kPreparing));
+    const bool built = this->Inverter.update(geometry, Options(self),
+      part_of(stopped_by(cancel, make_execution(self)), 0.0, kPreparing));
     this->Prepared = built ? kPreparing : 0.0;
     return "";
   }
@@ -123,15 +114,12 @@ std::string vtkPointInversionFilter::Internals::Prepare(vtkPointInversionFilter*
 void vtkPointInversionFilter::Internals::Invert(vtkPointInversionFilter* self,
   const PointBlocks& points, CancelSignal& cancel, FootRecord& record) const
 {
-  const auto execution = [&](double first, double share)
-  {
-    const double left = 1.0 - this->Prepared;
-    return Run(self, cancel, this->Prepared + left * first, left * share);
-  };
+  const footpoint::Execution execution = part_of(
+    stopped_by(cancel, make_execution(self)), this->Prepared, 1.0 - this->Prepared);
   const footpoint::PointInverter& inverter = this->Inverter.inverter();
   if (!self->WarmStart)
   {
-    footpoint::invert(inverter, points.queries, points.starts, execution(0.0, 1.0),
+    footpoint::invert(inverter, points.queries, points.starts, execution,
       [&](std::int64_t first, const footpoint::InversionResult& part)
       { record.take(first, part); });
     return;
@@ -142,7 +130,8 @@ void vtkPointInversionFilter::Internals::Invert(vtkPointInversionFilter* self,
   {
     const double share = static_cast<double>(block.count) / total;
     const footpoint::InversionResult feet = footpoint::invert_sequence(
-      inverter, points.queries.middleCols(block.first, block.count), execution(done, share));
+      inverter, points.queries.middleCols(block.first, block.count),
+      part_of(execution, done, share));
     record.take(block.first, feet);
     if (feet.cancelled)
     {

@@ -62,11 +62,6 @@ struct vtkPointInversionFilter::Internals
   }
 
 private:
-  /// Of threads, progress and abort for a part of the work that the user, here or on another rank,
-  /// can stop. \param first, share of the progress
-  static footpoint::Execution Run(vtkPointInversionFilter* self,
-    footpoint::conversion::CancelSignal& cancel, double first, double share);
-
   double Prepared = 0.0; ///< progress when the inverter was ready
   /// Names the first option that is no usable number or does not go with another; else empty.
   static std::string InvalidOption(vtkPointInversionFilter* self);

@@ -112,7 +112,7 @@ InputState convert_input(
   }
   try
   {
-    converted = convert_to_model(input, flip, make_execution(filter, 0.0, kReading));
+    converted = convert_to_model(input, flip, part_of(make_execution(filter), 0.0, kReading));
   }
   catch (const Cancelled&)
   {

@@ -168,7 +168,7 @@ int vtkBezierExtraction::RequestData(
   }
 
   // === Extract
-  const footpoint::Execution writing = make_execution(this, kReading, 1.0 - kReading);
+  const footpoint::Execution writing = part_of(make_execution(this), kReading, 1.0 - kReading);
   if (!write_bezier_cells(model, writing.proceed, output))
   {
     output->Initialize();

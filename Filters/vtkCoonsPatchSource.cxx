@@ -313,7 +313,8 @@ double vtkCoonsPatchSource::Internals::Interpolate(
     grid->GetPointData()->AddArray(lengths_u);
     grid->GetPointData()->AddArray(lengths_v);
   }
-  return fill_transfinite(boundary, options, output, nullptr, make_execution(self, 0.0, 0.2));
+  return fill_transfinite(
+    boundary, options, output, nullptr, part_of(make_execution(self), 0.0, 0.2));
 }
 
 footpoint::SmoothingResult vtkCoonsPatchSource::Internals::Smooth(
@@ -326,7 +327,8 @@ footpoint::SmoothingResult vtkCoonsPatchSource::Internals::Smooth(
   footpoint::Grid start;
   start.count = view.count;
   start.points = view.points;
-  footpoint::SmoothingResult result = smooth(start, options, make_execution(self, 0.2, 0.8));
+  footpoint::SmoothingResult result =
+    smooth(start, options, part_of(make_execution(self), 0.2, 0.8));
   if (result.changed && !result.cancelled)
   {
     grid->SetPoints(make_points(result.grid.points));

@@ -253,7 +253,7 @@ int vtkPointInversionFilter::RequestData(
   // === Attach
   DeviationReport& report = record->report();
   report.reduce(Internals::Limit(this->DeviationTolerance), ranks.reduction(),
-    make_execution(this, 1.0, 0.0));
+    part_of(make_execution(this), 1.0, 0.0));
   record->attach();
   record->fill_foot_points(vtkPolyData::GetData(outputs, 1));
   report.write_fields(layout.prefix, inverter.number_of_open_edges(), output->GetFieldData());

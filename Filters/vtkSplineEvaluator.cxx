@@ -2,6 +2,7 @@
 #include "vtkSplineEvaluator.h"
 
 #include "AlgorithmExecution.h"
+#include "CancelSignal.h"
 #include "FieldArrays.h"
 #include "Ranks.h"
 #include "ReplicatedGeometry.h"
@@ -38,6 +39,10 @@ vtkStandardNewMacro(vtkSplineEvaluator);
 
 namespace
 {
+
+/// Rows, each some tenths of a microsecond of work, from which on threads share them,
+/// and after eight times as many of which progress is told.
+constexpr std::int64_t kRowsForThreads = 4096;
 
 /// A row of the input that can be evaluated.
 struct Request
@@ -321,52 +326,80 @@ int vtkSplineEvaluator::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
 
-  // === Validate and convert
+  CancelSignal cancel(this->Controller);
+  const footpoint::Execution execution = stopped_by(cancel, make_execution(this));
   std::string error;
+  const auto attempt = [&error](const auto& work)
+  {
+    try
+    {
+      work();
+    }
+    catch (const footpoint::Cancelled&)
+    {
+      return; // the signal knows
+    }
+    catch (const std::exception& problem)
+    {
+      error = problem.what();
+    }
+  };
+
+  // === Validate and convert
   Rows rows;
   ConvertedModel converted;
-  try
+  attempt(
+    [&]
+    {
+      const SourceGeometry geometry = this->Internal->Geometry.update(
+        { vtkDataObject::GetData(inputs[1]), this->ParametricFunction, this->FlipNormals }, ranks);
+      rows = find_rows(input, this->ParametersArrayName, this->FaceIdArrayName);
+      converted = convert(geometry, part_of(execution, 0.0, kReading));
+      check_rows(rows, converted.model, this->ParametersArrayName, this->FaceIdArrayName);
+    });
+  error = ranks.first_error(error);
+
+  // === Compute
+  std::vector<Request> requests;
+  std::vector<footpoint::Evaluation> evaluations;
+  if (error.empty() && !cancel.requested(false))
   {
-    const SourceGeometry geometry = this->Internal->Geometry.update(
-      { vtkDataObject::GetData(inputs[1]), this->ParametricFunction, this->FlipNormals }, ranks);
-    rows = find_rows(input, this->ParametersArrayName, this->FaceIdArrayName);
-    // Its threads alone: this filter tells no progress and cannot be aborted.
-    footpoint::Execution threads;
-    threads.parallel_for = make_execution(this).parallel_for;
-    converted = convert(geometry, threads);
-    check_rows(rows, converted.model, this->ParametersArrayName, this->FaceIdArrayName);
+    attempt(
+      [&]
+      {
+        requests = collect_requests(converted.model, rows);
+        evaluations.resize(requests.size());
+        for_ranges(part_of(execution, kReading, 1.0 - kReading),
+          static_cast<std::int64_t>(requests.size()), kRowsForThreads,
+          [&](std::int64_t begin, std::int64_t end)
+          {
+            for (std::int64_t i = begin; i < end; ++i)
+            {
+              const auto at = static_cast<std::size_t>(i);
+              evaluations[at] = footpoint::evaluate(*requests[at].face, requests[at].parameter);
+            }
+          });
+      });
+    cancel.requested(!error.empty()); // so that the others stop soon
   }
-  catch (const std::exception& problem)
-  {
-    error = problem.what();
-  }
+  const bool cancelled = cancel.settle(ranks);
   error = ranks.first_error(error);
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
     return 0;
   }
-  const footpoint::Model& model = converted.model;
+  if (cancelled)
+  {
+    return 1;
+  }
   for (const std::string& problem : converted.messages())
   {
     vtkWarningMacro(<< problem << " (left out)");
   }
 
-  // === Compute
-  const std::vector<Request> requests = collect_requests(model, rows);
-  std::vector<footpoint::Evaluation> evaluations(requests.size());
-  run_parallel(static_cast<std::int64_t>(requests.size()), 0,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t i = begin; i < end; ++i)
-      {
-        const auto at = static_cast<std::size_t>(i);
-        evaluations[at] = footpoint::evaluate(*requests[at].face, requests[at].parameter);
-      }
-    });
-
   // === Attach
-  fill_output(requests, evaluations, model, rows.attributes, output);
+  fill_output(requests, evaluations, converted.model, rows.attributes, output);
   output->GetFieldData()->PassData(input->GetFieldData());
   std::vector<std::int64_t> skipped{ rows.count - static_cast<std::int64_t>(requests.size()) };
   ranks.reduction().sum(skipped);

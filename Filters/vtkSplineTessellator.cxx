@@ -147,7 +147,7 @@ int vtkSplineTessellator::RequestData(
   try
   {
     result = footpoint::tessellate(
-      converted.model, options, make_execution(this, kReading, 1.0 - kReading));
+      converted.model, options, part_of(make_execution(this), kReading, 1.0 - kReading));
   }
   catch (const std::bad_alloc&)
   {

@@ -22,8 +22,7 @@ int main()
     const footpoint::PointInverter inverter({ face });
     const footpoint::Foot foot = inverter.find({ 3.0, 0.5, 0.0 });
     std::cout << "t = " << foot.parameter[0] << ", distance " << foot.distance << '\n';
-    // The foot of (3, h) solves 2 t³ + (1 - 2 h) t - 3 = 0; with h = 1/2 it is the cube root of
-    // 3/2.
+    // The foot of (3, h) solves 2 t³ + (1 - 2 h) t - 3 = 0; with h = 1/2 it is the root ∛(3/2).
     return std::abs(foot.parameter[0] - std::cbrt(1.5)) < 1e-12 ? 0 : 1;
   }
   catch (const footpoint::GeometryError& error)

@@ -125,4 +125,12 @@ bool CancelSignal::settle(const Ranks& ranks)
   return any;
 }
 
+Execution stopped_by(CancelSignal& cancel, const Execution& execution)
+{
+  Execution result = execution;
+  result.proceed = [&cancel, proceed = execution.proceed](double fraction)
+  { return !cancel.requested(!proceed(fraction)); };
+  return result;
+}
+
 } // namespace footpoint::conversion

@@ -4,6 +4,8 @@
 #ifndef CancelSignal_h
 #define CancelSignal_h
 
+#include "footpoint/common/execution.h"
+
 #include <memory>
 
 class vtkMultiProcessController;
@@ -36,6 +38,10 @@ private:
   bool Here = false;
   bool Elsewhere = false;
 };
+
+/// Threads and progress of an execution, which ends where any rank was asked to stop as well. The
+/// signal has to outlive the result.
+Execution stopped_by(CancelSignal& cancel, const Execution& execution);
 
 } // namespace footpoint::conversion
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress rises from 0 to 1 between blocks of points; an abort leaves empty outputs and no harm.
+// Progress rises from 0 to 1 between blocks of points, as feet are found and as they are evaluated;
+// an abort leaves empty outputs and no harm.
 #include "FilterTesting.h"
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointInversionFilter.h"
+#include "vtkSplineEvaluator.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -110,6 +112,44 @@ void TestBuilding()
   CHECK(filter->GetNumberOfModelBuilds() == 1);
 }
 
+/// The inverse of point inversion does the same between blocks of rows.
+void TestEvaluation()
+{
+  constexpr vtkIdType kRows = 200000;
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetName("Parameters");
+  parameters->SetNumberOfComponents(2);
+  parameters->SetNumberOfTuples(kRows);
+  parameters->Fill(0.25);
+  vtkNew<vtkTable> table;
+  table->AddColumn(parameters);
+  vtkNew<vtkSplineEvaluator> evaluator;
+  vtkNew<ProgressWatcher> watcher;
+  evaluator->AddObserver(vtkCommand::ProgressEvent, watcher);
+  evaluator->SetInputData(table);
+  evaluator->SetSourceData(MakeTorus());
+  for (const double limit : { 0.05, 0.5 })
+  {
+    watcher->AbortAfter = limit;
+    watcher->Steps.clear();
+    evaluator->SetAbortExecute(0);
+    evaluator->Modified();
+    evaluator->Update();
+    const auto after = [limit](double progress) { return progress > limit && progress < 1.0; };
+    CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), after) == 1);
+    CHECK(evaluator->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK(evaluator->GetOutput()->GetFieldData()->GetNumberOfArrays() == 0);
+  }
+  watcher->AbortAfter = 2.0;
+  watcher->Steps.clear();
+  evaluator->SetAbortExecute(0);
+  evaluator->Modified();
+  evaluator->Update();
+  CHECK(std::is_sorted(watcher->Steps.begin(), watcher->Steps.end()));
+  CHECK(watcher->Steps.size() >= 4);
+  CHECK(evaluator->GetOutput()->GetNumberOfPoints() == kRows);
+}
+
 } // namespace
 
 int TestAbortAndProgress(int, char*[])
@@ -125,5 +165,6 @@ int TestAbortAndProgress(int, char*[])
       TestProgress(blocks, false);
       TestProgress(blocks, true);
       TestBuilding();
+      TestEvaluation();
     });
 }

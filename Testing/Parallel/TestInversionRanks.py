@@ -391,6 +391,37 @@ def test_abort_while_building(controller):
         compare(algorithm, ROWS, first, last, source, controller, "after an abort")
 
 
+def test_abort_of_evaluation(controller):
+    """A rank that stops ends the evaluation on all of them; those that have no rows are not asked."""
+    rank = controller.GetLocalProcessId()
+    rows = 200000 if rank == 0 else 10 * rank - 10
+    parameters = numpy_to_vtk(np.full((rows, 2), 0.25), deep=True)
+    parameters.SetName("Parameters")
+    data = points_data(np.zeros((rows, 3)))
+    data.GetPointData().AddArray(parameters)
+    net = make_net()
+    evaluator = footpoint.vtkSplineEvaluator()
+    evaluator.SetInputDataObject(0, data)
+    evaluator.SetSourceData(net)
+    told = []
+
+    def stop(caller, _):
+        if 0.3 < caller.GetProgress() < 1:
+            told.append(caller.GetProgress())
+            caller.AbortExecuteOn()
+
+    tag = evaluator.AddObserver("ProgressEvent", stop)
+    evaluator.Update()
+    evaluator.RemoveObserver(tag)
+    assert len(told) == (1 if rank == 0 else 0), told
+    assert evaluator.GetOutput().GetNumberOfPoints() == 0, "not aborted"
+    assert evaluator.GetOutput().GetFieldData().GetNumberOfArrays() == 0
+    evaluator.AbortExecuteOff()
+    evaluator.Modified()
+    evaluator.Update()
+    assert evaluator.GetOutput().GetNumberOfPoints() == rows
+
+
 def test_evaluator(controller):
     rank = controller.GetLocalProcessId()
     net = make_net()
