@@ -74,6 +74,18 @@ void TestProgress(vtkDataObject* input, bool warm_start)
   CHECK(filter->GetNumberOfModelBuilds() == 1);
 }
 
+/// Aborts past a progress, of which nothing more is told then.
+void AbortOnce(vtkAlgorithm* algorithm, ProgressWatcher* watcher, double limit)
+{
+  watcher->AbortAfter = limit;
+  watcher->Steps.clear();
+  algorithm->SetAbortExecute(0);
+  algorithm->Modified();
+  algorithm->Update();
+  const auto after = [limit](double progress) { return progress > limit && progress < 1.0; };
+  CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), after) == 1);
+}
+
 /// Models of many faces take a while to be built: that is seen, and can be stopped.
 void TestBuilding()
 {
@@ -90,13 +102,7 @@ void TestBuilding()
   filter->SetSourceData(many);
   for (const double limit : { 0.0, 0.1 })
   {
-    watcher->AbortAfter = limit;
-    watcher->Steps.clear();
-    filter->SetAbortExecute(0);
-    filter->Modified();
-    filter->Update();
-    const auto after = [limit](double progress) { return progress > limit && progress < 1.0; };
-    CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), after) == 1);
+    AbortOnce(filter, watcher, limit);
     CHECK(filter->GetFootPointsOutput()->GetNumberOfPoints() == 0);
     CHECK(filter->GetNumberOfModelBuilds() == 0);
   }
@@ -130,13 +136,7 @@ void TestEvaluation()
   evaluator->SetSourceData(MakeTorus());
   for (const double limit : { 0.05, 0.5 })
   {
-    watcher->AbortAfter = limit;
-    watcher->Steps.clear();
-    evaluator->SetAbortExecute(0);
-    evaluator->Modified();
-    evaluator->Update();
-    const auto after = [limit](double progress) { return progress > limit && progress < 1.0; };
-    CHECK(std::count_if(watcher->Steps.begin(), watcher->Steps.end(), after) == 1);
+    AbortOnce(evaluator, watcher, limit);
     CHECK(evaluator->GetOutput()->GetNumberOfPoints() == 0);
     CHECK(evaluator->GetOutput()->GetFieldData()->GetNumberOfArrays() == 0);
   }
